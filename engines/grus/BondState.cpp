@@ -1,0 +1,7 @@
+#include <grus/BondState.hpp>
+
+namespace yade {
+
+YADE_PLUGIN((BondState));
+
+}

@@ -1,0 +1,76 @@
+#include <grus/BondTimeStepper.hpp>
+
+#include <limits>
+
+#include <core/Body.hpp>
+#include <core/InteractionContainer.hpp>
+#include <core/Scene.hpp>
+#include <pkg/dem/ScGeom.hpp>
+
+#include <grus/BondMat.hpp>
+#include <grus/BondPhys.hpp>
+#include <physics/timestep.hpp>
+
+namespace yade {
+
+namespace physics = grus::physics;
+
+namespace {
+
+/// The body whose motion an element follows: its clump or itself.
+const Body& carrier(int id, Scene* scene) {
+    const auto& body = Body::byId(id, scene);
+    return body->clumpId >= 0 ? *Body::byId(body->clumpId, scene) : *body;
+}
+
+bool canMove(const Body& body) { return body.state->blockedDOFs != State::DOF_ALL && body.state->mass > 0; }
+
+physics::ContactSprings springs(const BondPhys& phys) {
+    physics::ContactSprings k{phys.kn, phys.ks, 0, 0};
+    if (!phys.bonded || phys.bondKind != BondMat::ParallelBond)
+        return k;
+    const auto bond = phys.stiffness();
+    return {k.normal + bond.normal, k.shear + bond.shear, bond.bending, bond.twist};
+}
+
+}
+
+Real BondTimeStepper::criticalStep(Scene* ncb) const {
+    std::vector<physics::Mat6> stiffness(ncb->bodies->size(), physics::Mat6::Zero());
+    for (const auto& interaction : ncb->interactions->linIntrs) {
+        if (!interaction || !interaction->isReal())
+            continue;
+        const auto* phys = dynamic_cast<const BondPhys*>(interaction->phys.get());
+        const auto* geom = dynamic_cast<const ScGeom*>(interaction->geom.get());
+        if (!phys || !geom)
+            continue;
+        const Body& one = carrier(interaction->id1, ncb);
+        const Body& two = carrier(interaction->id2, ncb);
+        for (const auto& [body, other] : {std::pair{&one, &two}, std::pair{&two, &one}}) {
+            if (!canMove(*body))
+                continue;
+            physics::addSprings(stiffness[body->id], springs(*phys), geom->contactPoint - body->state->pos,
+                                geom->normal, canMove(*other) ? 2 : 1);
+        }
+    }
+    Real smallest = std::numeric_limits<Real>::infinity();
+    for (const auto& body : ncb->bodies->body) {
+        if (!body || body->isClumpMember() || !canMove(*body))
+            continue;
+        const State& state = *body->state;
+        const Matrix3r turn = state.ori.toRotationMatrix();
+        const Matrix3r inertia = turn * state.inertia.asDiagonal() * turn.transpose();
+        smallest =
+            std::min(smallest, physics::criticalStep(stiffness[body->id], state.mass, inertia, state.blockedDOFs));
+    }
+    return smallest;
+}
+
+void BondTimeStepper::computeTimeStep(Scene* ncb) {
+    criticalDt = criticalStep(ncb);
+    ncb->dt = std::min(maxDt, safety * criticalDt);
+}
+
+YADE_PLUGIN((BondTimeStepper));
+
+}

@@ -1,0 +1,137 @@
+#include <grus/CrushingPlatens.hpp>
+
+#include <stdexcept>
+
+#include <core/Body.hpp>
+#include <core/Scene.hpp>
+
+#include <grus/BondPhys.hpp>
+#include <grus/sceneEnergy.hpp>
+#include <physics/servo.hpp>
+
+namespace yade {
+
+namespace {
+
+State& platen(int id, Scene* scene) {
+    const bool found = id >= 0 && id < static_cast<int>(scene->bodies->size()) && Body::byId(id, scene);
+    if (!found)
+        throw std::runtime_error("CrushingPlatens: no body with id " + std::to_string(id) +
+                                 "; set bottom and top to the walls' ids");
+    return *Body::byId(id, scene)->state;
+}
+
+void check(const char* key, Real value, bool good, const char* allowed) {
+    if (good)
+        return;
+    throw std::invalid_argument("CrushingPlatens." + std::string(key) + " = " + std::to_string(value) +
+                                "; allowed: " + allowed);
+}
+
+}
+
+void CrushingPlatens::postLoad(CrushingPlatens&) {
+    if (control != "speed" && control != "force")
+        throw std::invalid_argument("CrushingPlatens.control = '" + control + "'; allowed: 'force', 'speed'");
+    check("axis", axis, axis >= 0 && axis <= 2, "0, 1, 2");
+    check("speed", speed, speed >= 0, "0 or more");
+    check("forceRate", forceRate, forceRate >= 0, "0 or more");
+    check("relaxation", relaxation, relaxation > 0 && relaxation <= 1, "more than 0, at most 1");
+    check("peakDrop", peakDrop, peakDrop > 0 && peakDrop < 1, "between 0 and 1");
+    check("endDrop", endDrop, endDrop > 0 && endDrop <= 1, "more than 0, at most 1");
+    check("maxStrain", maxStrain, maxStrain > 0 && maxStrain < 1, "between 0 and 1");
+    check("recordInterval", recordInterval, recordInterval > 0, "more than 0");
+}
+
+void CrushingPlatens::action() {
+    if (!ended.empty())
+        return;
+    if (startTime < 0)
+        begin();
+    measure();
+    findPeak();
+    if (closing >= nextRecord)
+        record();
+    const bool crushed = peakForce > 0 && force <= (1 - endDrop) * maxForce;
+    if (crushed || closing >= maxStrain * initialGap)
+        end(crushed ? "crushed" : "strain");
+    else
+        drive();
+}
+
+void CrushingPlatens::begin() {
+    startTime = scene->time;
+    lastPosition = {platen(bottom, scene).pos[axis], platen(top, scene).pos[axis]};
+    initialGap = lastPosition[1] - lastPosition[0];
+    if (initialGap <= 0)
+        throw std::runtime_error("CrushingPlatens: the top platen is not above the bottom platen");
+}
+
+void CrushingPlatens::measure() {
+    scene->forces.sync();
+    const Vector2r position{platen(bottom, scene).pos[axis], platen(top, scene).pos[axis]};
+    const Vector2r onPlatens{scene->forces.getForce(bottom)[axis], scene->forces.getForce(top)[axis]};
+    work -= 0.5 * (onPlatens + lastForce).dot(position - lastPosition);
+    force = 0.5 * (onPlatens[1] - onPlatens[0]);
+    closing = initialGap - (position[1] - position[0]);
+    lastPosition = position;
+    lastForce = onPlatens;
+}
+
+void CrushingPlatens::findPeak() {
+    if (peakForce == 0 && ledger && ledger->breaks() > 0 && force <= (1 - peakDrop) * maxForce) {
+        peakForce = maxForce;
+        peakClosing = maxForceClosing;
+    }
+    if (force > maxForce) {
+        maxForce = force;
+        maxForceClosing = closing;
+    }
+}
+
+void CrushingPlatens::drive() {
+    Real rate = speed;
+    if (control == "force") {
+        const Real error = forceRate * (scene->time - startTime) - force;
+        rate = grus::physics::servoSpeed(error, platenStiffness(), scene->dt, relaxation, speed);
+    }
+    platen(bottom, scene).vel[axis] = rate / 2;
+    platen(top, scene).vel[axis] = -rate / 2;
+}
+
+/// Force per closing if the grain itself were rigid: each platen moves half the closing against its own contacts.
+Real CrushingPlatens::platenStiffness() const {
+    Real sum = 0;
+    for (const int id : {bottom, top})
+        for (const auto& [other, interaction] : Body::byId(id, scene)->intrs)
+            if (interaction->isReal())
+                sum += static_cast<BondPhys*>(interaction->phys.get())->kn;
+    return sum / 4;
+}
+
+void CrushingPlatens::record() {
+    nextRecord = closing + recordInterval * initialGap;
+    recordTime.push_back(scene->time);
+    recordClosing.push_back(closing);
+    recordForce.push_back(force);
+    recordTension.push_back(ledger ? ledger->tensionBreaks : 0);
+    recordShear.push_back(ledger ? ledger->shearBreaks : 0);
+    recordWork.push_back(work);
+    recordElastic.push_back(elasticEnergy(*scene));
+    recordKinetic.push_back(kineticEnergy(*scene));
+    recordReleased.push_back(ledger ? ledger->releasedEnergy : 0);
+    recordSliding.push_back(ledger ? ledger->slidingWork : 0);
+    recordDamped.push_back(dampedEnergy(*scene));
+}
+
+void CrushingPlatens::end(const std::string& why) {
+    record();
+    ended = why;
+    platen(bottom, scene).vel[axis] = 0;
+    platen(top, scene).vel[axis] = 0;
+    scene->stopAtIter = scene->iter + 1;
+}
+
+YADE_PLUGIN((CrushingPlatens));
+
+}

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <pkg/common/Dispatching.hpp>
+#include <pkg/dem/ScGeom.hpp>
+
+#include <grus/BondLedger.hpp>
+#include <grus/BondPhys.hpp>
+
+namespace yade {
+
+/// Contact bonds, parallel bonds and the frictional contacts that they leave behind.
+class Law2_ScGeom_BondPhys_Bonded : public LawFunctor {
+public:
+    virtual ~Law2_ScGeom_BondPhys_Bonded(){};
+    virtual bool go(boost::shared_ptr<IGeom>& geom, boost::shared_ptr<IPhys>& phys, Interaction* interaction) override;
+    FUNCTOR2D(ScGeom, BondPhys);
+
+    // clang-format off
+    YADE_CLASS_BASE_DOC_ATTRS(Law2_ScGeom_BondPhys_Bonded, LawFunctor,
+        "Linear frictional contact with an optional contact bond or parallel bond (Potyondy & Cundall 2004). A broken bond leaves an ordinary contact. Works with :yref:`ScGeom` and :yref:`ScGeom6D`, with spheres, clumps, walls, boxes and facets.",
+        ((boost::shared_ptr<BondLedger>, ledger, , , "Where breakages, released energy and sliding work are booked; None: nowhere."))
+    );
+    // clang-format on
+
+private:
+    struct Motion; // relative motion of a pair in one step
+    void contactBond(BondPhys&, const Motion&, const Interaction&, const Vector3r& place) const;
+    void parallelBond(BondPhys&, const Motion&, const Interaction&, const Vector3r& place) const;
+    void frictionalContact(BondPhys&, const Motion&) const;
+    void breakBond(BondPhys&, grus::physics::Breakage, Real released, const Interaction&, const Vector3r& place) const;
+};
+REGISTER_SERIALIZABLE(Law2_ScGeom_BondPhys_Bonded);
+
+}

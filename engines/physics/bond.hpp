@@ -1,0 +1,89 @@
+// Contact bond and parallel bond (Potyondy & Cundall 2004; moment contribution after Potyondy 2011).
+// Forces act on particle 2 of a pair, normals point from 1 to 2, compression is positive.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include <physics/contact.hpp>
+#include <physics/section.hpp>
+#include <physics/vector.hpp>
+
+namespace grus::physics {
+
+enum class Breakage { None = 0, Tension = 1, Shear = 2 };
+
+/// What a parallel bond carries.
+struct BondLoad {
+    double normal = 0;           ///< force along the normal [N], tension negative
+    Vec3 shear = Vec3::Zero();   ///< force across the normal [N]
+    Vec3 bending = Vec3::Zero(); ///< moment across the normal [N m]
+    double twist = 0;            ///< moment about the normal [N m]
+};
+
+/// Stiffnesses of a whole bond section.
+struct BondStiffness {
+    double normal = 0;  ///< [N/m]
+    double shear = 0;   ///< [N/m]
+    double bending = 0; ///< [N m/rad]
+    double twist = 0;   ///< [N m/rad]
+};
+
+/// Limits of a bond: stresses [Pa] for a parallel bond, forces [N] for a contact bond.
+struct BondStrength {
+    double tensile = 0; ///< largest tension
+    double shear = 0;   ///< shear strength without normal load (the cohesion, when friction is given)
+    double tanPhi = 0;  ///< tangent of the friction angle of the bond; 0: constant shear strength
+};
+
+/// Largest tension and largest shear at the rim of a bond, or the two forces of a contact bond.
+struct BondStress {
+    double tension = 0; ///< tension positive
+    double shear = 0;
+    double normal = 0; ///< mean normal stress, compression positive
+};
+
+/// Stiffnesses from those of the section, normal and shear [N/m] (Potyondy & Cundall 2004, eq 16).
+inline BondStiffness bondStiffness(double kn, double ks, const Section& s) {
+    return {kn, ks, kn * s.inertia / s.area, ks * s.polar / s.area};
+}
+
+/// Adds a step of relative motion. `stretch` is the total change of the overlap since birth [m]; the others are
+/// increments: `slip` of particle 2 against 1 across the normal [m], `rotation` of 1 against 2 [rad].
+inline void deform(BondLoad& load, const BondStiffness& k, double stretch, const Vec3& slip, const Vec3& rotation,
+                   const Vec3& normal) {
+    load.normal = k.normal * stretch;
+    load.shear -= k.shear * slip;
+    load.bending += k.bending * across(rotation, normal);
+    load.twist += k.twist * rotation.dot(normal);
+}
+
+/// Stresses at the rim of a parallel bond of radius `radius`; `beta` in [0, 1] weighs the moments.
+inline BondStress rimStress(const BondLoad& load, const Section& s, double radius, double beta) {
+    const double torsion = s.polar > 0 ? beta * std::abs(load.twist) * radius / s.polar : 0;
+    return {-load.normal / s.area + beta * load.bending.norm() * radius / s.inertia,
+            load.shear.norm() / s.area + torsion, load.normal / s.area};
+}
+
+/// Shear strength under the mean normal stress `normal` (compression positive), Mohr-Coulomb, never below zero.
+inline double shearStrength(const BondStrength& strength, double normal) {
+    return std::max(0.0, strength.shear + normal * strength.tanPhi);
+}
+
+/// Mode in which a bond fails under `stress`; when both limits are met, the one exceeded by the larger share.
+inline Breakage failure(const BondStress& stress, const BondStrength& strength) {
+    const double limit = shearStrength(strength, stress.normal);
+    const bool tension = stress.tension >= strength.tensile;
+    const bool shear = stress.shear >= limit;
+    if (tension && shear)
+        return stress.shear * strength.tensile > stress.tension * limit ? Breakage::Shear : Breakage::Tension;
+    return tension ? Breakage::Tension : shear ? Breakage::Shear : Breakage::None;
+}
+
+/// Elastic energy [J] stored in a parallel bond, all of it released when it breaks.
+inline double bondEnergy(const BondLoad& load, const BondStiffness& k) {
+    return springEnergy(load.normal, k.normal) + springEnergy(load.shear.norm(), k.shear) +
+           springEnergy(load.bending.norm(), k.bending) + springEnergy(load.twist, k.twist);
+}
+
+}

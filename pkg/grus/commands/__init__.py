@@ -1,0 +1,25 @@
+"""Command line: one file a command, each a few lines over the Python functions it stands for.
+
+A new command is a file here and a line below.
+"""
+
+from collections.abc import Sequence
+
+import typer
+
+from grus.commands import card, crush, info
+from grus.commands.run import run
+
+app = typer.Typer(
+    help="Crushable rockfill in YADE: make grains, crush them, say how strong they are.",
+    add_completion=False,
+    pretty_exceptions_enable=False,
+)
+app.command()(card.card)
+app.command()(crush.crush)
+app.command()(info.info)
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Runs `grus` with these arguments (those of the process by default); returns the exit code."""
+    return run(app, arguments)

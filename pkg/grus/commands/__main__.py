@@ -1,0 +1,7 @@
+"""`python3 -m grus.commands`."""
+
+import sys
+
+from grus.commands import main
+
+sys.exit(main())

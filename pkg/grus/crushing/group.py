@@ -1,0 +1,140 @@
+"""Crushing of a group of grains in parallel processes."""
+
+import json
+import os
+from collections.abc import Callable, Iterator
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from contextlib import contextmanager
+from dataclasses import dataclass
+from multiprocessing import get_context
+from pathlib import Path
+
+import numpy as np
+
+from grus.card import Card
+from grus.crushing.result import CrushingResult
+from grus.crushing.test import crush
+from grus.errors import GrusError
+from grus.files import write_text
+from grus.statistics import WeibullFit, fit_weibull
+from grus.version import __version__
+
+Progress = Callable[[int, int], None]
+
+
+@dataclass(frozen=True)
+class GroupResult:
+    """Results of grains 0 .. n-1 of a card, in this order."""
+
+    card: Card
+    grains: tuple[CrushingResult, ...]
+
+    @property
+    def strengths(self) -> np.ndarray:
+        """Strengths (n,) by the first drop of the force [Pa]; of a grain that never broke, the largest stress."""
+        return np.array([grain.strength for grain in self.grains])
+
+    @property
+    def censored(self) -> np.ndarray:
+        """Mask (n,) of the grains that did not break, whose strength is only known to be larger."""
+        return np.array([not grain.broken for grain in self.grains])
+
+    def weibull(self, by: str = "first drop") -> WeibullFit:
+        """Weibull distribution of the strengths `by` the 'first drop' of the force or by its 'maximum'."""
+        if by == "maximum":
+            strengths = np.array([grain.max_strength for grain in self.grains])
+        elif by == "first drop":
+            strengths = self.strengths
+        else:
+            raise GrusError(f"by = {by!r}; allowed: 'first drop', 'maximum'")
+        censored = self.censored if self.censored.any() else None
+        return fit_weibull(strengths, censored=censored, seed=self.card.seed)
+
+
+def crush_group(
+    card: Card,
+    grains: int,
+    folder: str | Path,
+    jobs: int | None = None,
+    progress: Progress | None = None,
+) -> GroupResult:
+    """Crushes grains 0 .. `grains`-1 of `card`, `jobs` at a time (default: one a core), one process each.
+
+    Each result is written to `folder`/grains as soon as it is there; grains found there are not run again, so a call
+    that was interrupted goes on where it was. `progress(done, of)` is called after each grain.
+    Raises GrusError when `folder` holds results of another card, or when `grains` or `jobs` is below 1.
+    """
+    jobs = jobs or len(os.sched_getaffinity(0))
+    for name, value in {"grains": grains, "jobs": jobs}.items():
+        if value < 1:
+            raise GrusError(f"{name} = {value}; allowed: 1 or more")
+    store = _Store(card, Path(folder))
+    waiting = [grain for grain in range(grains) if not store.has(grain)]
+    done = grains - len(waiting)
+    if progress:
+        progress(done, grains)
+    if waiting:
+        with _pool(min(jobs, len(waiting))) as pool:
+            runs = [pool.submit(_run, card, grain, store) for grain in waiting]
+            try:
+                for run in as_completed(runs):
+                    run.result()
+                    done += 1
+                    if progress:
+                        progress(done, grains)
+            except BaseException:
+                pool.shutdown(wait=False, cancel_futures=True)
+                raise
+    return GroupResult(card, tuple(store.load(grain) for grain in range(grains)))
+
+
+@contextmanager
+def _pool(jobs: int) -> Iterator[ProcessPoolExecutor]:
+    # YADE keeps one scene per process and threads of its own: a fork of a process that has loaded it may hang.
+    # OpenMP reads its variable while the new process loads it, so it must be in the environment before.
+    before = os.environ.get("OMP_NUM_THREADS")
+    os.environ["OMP_NUM_THREADS"] = "1"
+    try:
+        with ProcessPoolExecutor(jobs, mp_context=get_context("spawn")) as pool:
+            yield pool
+    finally:
+        if before is None:
+            del os.environ["OMP_NUM_THREADS"]
+        else:
+            os.environ["OMP_NUM_THREADS"] = before
+
+
+def _run(card: Card, grain: int, store: "_Store") -> None:
+    store.save(crush(card, grain))
+
+
+class _Store:
+    """Results of one card in a folder."""
+
+    def __init__(self, card: Card, folder: Path) -> None:
+        self.key = f"{card.content_hash()} {__version__}"
+        self.folder = folder / "grains"
+        owner = folder / "card.json"
+        if owner.exists():
+            if json.loads(owner.read_text())["key"] != self.key:
+                raise GrusError(
+                    f"{folder}: holds results of another card or version; allowed: an empty folder, or the same card"
+                )
+        self.folder.mkdir(parents=True, exist_ok=True)
+        write_text(owner, json.dumps({"key": self.key, "card": card.to_dict()}, indent=1))
+
+    def path(self, grain: int) -> Path:
+        return self.folder / f"grain-{grain:04d}.h5"
+
+    def has(self, grain: int) -> bool:
+        try:
+            self.load(grain)
+        except GrusError:
+            return False
+        return True
+
+    def load(self, grain: int) -> CrushingResult:
+        return CrushingResult.load(self.path(grain), self.key)
+
+    def save(self, result: CrushingResult) -> None:
+        result.save(self.path(result.grain), self.key)

@@ -1,0 +1,107 @@
+"""A block of bonded spheres between two rigid layers."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from yade import O, utils
+from yade.wrapper import (
+    Bo1_Sphere_Aabb,
+    ForceResetter,
+    InsertionSortCollider,
+    InteractionLoop,
+    NewtonIntegrator,
+)
+
+from grus.verification.laws import Law
+from grus.verification.one_thread import one_thread
+
+REACH = 1.0001  # of the sum of the radii
+COUNTS = (4, 5, 5)  # spheres along x and y, layers along z
+SCATTER = 0.2  # half range of the factors on the strengths
+SEED = 1
+SAMPLES = 80
+
+
+@dataclass(frozen=True)
+class BlockCurve:
+    """What a block did: displacement (n,) of the upper layer [m], force (n,) on it along its motion [N], number of
+    bonds that still hold (n,)."""
+
+    displacement: np.ndarray
+    force: np.ndarray
+    bonds: np.ndarray
+
+    @property
+    def peak(self) -> float:
+        return float(np.abs(self.force).max())
+
+    @property
+    def broken(self) -> int:
+        return int(self.bonds[0] - self.bonds[-1])
+
+
+def hexagonal_block(radius: float) -> np.ndarray:
+    """Centres (n, 3) [m] of a hexagonal close packing with layers ABAB normal to z."""
+    rows = np.array([(i, j, k) for k in range(COUNTS[2]) for j in range(COUNTS[1]) for i in range(COUNTS[0])])
+    i, j, k = rows.T
+    x = 2 * i + (j + k) % 2
+    y = np.sqrt(3) * (j + (k % 2) / 3)
+    z = 2 * np.sqrt(2 / 3) * k
+    return radius * np.stack([x, y, z], axis=1)
+
+
+def load_block(law: Law, radius: float, velocity: np.ndarray, dt: float, steps: int) -> BlockCurve:
+    """Moves the upper layer at `velocity` (3,) [m/s] against the fixed lower one, from the state without force.
+
+    The strengths of the bonds are multiplied by factors that depend on nothing but the pair, the same for every law:
+    in a regular packing of equal bonds rounding would decide which of them break first.
+    """
+    O.reset()
+    O.materials.append(law.material)
+    centres = hexagonal_block(radius)
+    for centre in centres:
+        O.bodies.append(utils.sphere(centre, radius, color=(1, 1, 1)))
+    layer = np.rint(centres[:, 2] / (2 * np.sqrt(2 / 3) * radius)).astype(int)
+    top = [i for i, k in enumerate(layer) if k == COUNTS[2] - 1]
+    for body in O.bodies:
+        if hasattr(body.state, "grain"):
+            body.state.grain = 0
+        if layer[body.id] in (0, COUNTS[2] - 1):
+            body.state.blockedDOFs = "xyzXYZ"
+    law.geometry.interactionDetectionFactor = REACH
+    O.engines = [
+        ForceResetter(),
+        InsertionSortCollider([Bo1_Sphere_Aabb(aabbEnlargeFactor=REACH)]),
+        InteractionLoop([law.geometry], [law.physics], [law.law]),
+        *law.engines,
+        NewtonIntegrator(damping=0.4),
+    ]
+    one_thread()
+    O.dt = 0
+    O.step()
+    law.born()
+    law.geometry.interactionDetectionFactor = 1
+    _scatter(law)
+    for i in top:
+        O.bodies[i].state.vel = velocity
+    O.dt = dt
+    direction = velocity / np.linalg.norm(velocity)
+    samples = [_sample(law, top, direction, centres)]
+    for step in range(1, steps + 1):
+        O.step()
+        if step % (steps // SAMPLES) == 0:
+            samples.append(_sample(law, top, direction, centres))
+    return BlockCurve(*np.array(samples).T)
+
+
+def _scatter(law: Law) -> None:
+    generator = np.random.Generator(np.random.PCG64(np.random.SeedSequence(SEED)))
+    pairs = sorted((min(i.id1, i.id2), max(i.id1, i.id2)) for i in O.interactions if i.isReal)
+    for pair, u in zip(pairs, generator.random(len(pairs))):
+        law.weaken(O.interactions[pair], 1 + SCATTER * (2 * u - 1))
+
+
+def _sample(law: Law, top: list[int], direction: np.ndarray, centres: np.ndarray) -> tuple:
+    moved = np.array(O.bodies[top[0]].state.pos) - centres[top[0]]
+    force = -np.sum([O.forces.f(i) for i in top], axis=0)
+    return moved @ direction, force @ direction, sum(law.holds(i) for i in O.interactions)

@@ -1,0 +1,104 @@
+"""Two elements in YADE whose motion is prescribed."""
+
+import numpy as np
+from yade import O, utils
+from yade.wrapper import (
+    Bo1_Sphere_Aabb,
+    ForceResetter,
+    InsertionSortCollider,
+    Interaction,
+    InteractionLoop,
+    NewtonIntegrator,
+)
+
+from grus.verification.formulas import Motion
+from grus.verification.laws import Law
+from grus.verification.one_thread import one_thread
+
+AXES = {  # n, t and b of a pair; in the plane b is the axis of the plane
+    False: np.array([[1, 2, 2], [2, 1, -2], [-2, 2, -1]]) / 3,
+    True: np.array([[0.6, 0.8, 0.0], [-0.8, 0.6, 0.0], [0.0, 0.0, 1.0]]),
+}
+REACH = 1.0001  # of the sum of the radii, so that elements that touch are seen whatever the rounding
+STEP = 1e-6  # [s]
+
+
+class PairScene:
+    """A bonded pair in the current YADE scene, which is emptied first.
+
+    All motion is prescribed as velocities, so a step is exact: first the bodies move, then the law sees positions and
+    the velocities that led to them. Slip and rotations are made by spins alone, which leave the normal where it is.
+    law: what holds the pair; radii of the two elements [m]; plane: discs in the plane.
+    swapped: whether the second element is put into YADE before the first.
+    """
+
+    def __init__(
+        self,
+        law: Law,
+        radii: tuple[float, float],
+        plane: bool = False,
+        swapped: bool = False,
+        overlap: float = 0.0,
+    ) -> None:
+        O.reset()
+        self.law, self.radii = law, np.array(radii)
+        self.normal, self.across, self.binormal = AXES[plane]
+        O.materials.append(law.material)
+        centres = [np.zeros(3), (sum(radii) - overlap) * self.normal]
+        order = (1, 0) if swapped else (0, 1)
+        bodies = {i: utils.sphere(centres[i], radii[i], color=(1, 1, 1)) for i in order}
+        self.ids = [0, 0]
+        for i in order:
+            bodies[i].state.blockedDOFs = "xyzXYZ"
+            if hasattr(bodies[i].state, "grain"):
+                bodies[i].state.grain = 0
+            self.ids[i] = O.bodies.append(bodies[i])
+        law.geometry.interactionDetectionFactor = REACH
+        O.engines = [
+            NewtonIntegrator(warnNoForceReset=False),  # forces of the last step do not matter here
+            ForceResetter(),
+            InsertionSortCollider([Bo1_Sphere_Aabb(aabbEnlargeFactor=REACH)]),
+            InteractionLoop([law.geometry], [law.physics], [law.law]),
+            *law.engines,
+        ]
+        one_thread()
+        O.dt = STEP
+        O.step()
+        law.born()
+        law.geometry.interactionDetectionFactor = 1
+
+    @property
+    def interaction(self) -> Interaction:
+        return O.interactions[tuple(self.ids)]
+
+    @property
+    def holds(self) -> bool:
+        return O.interactions.has(*self.ids) and self.law.holds(self.interaction)
+
+    def drive(self, motion: Motion, steps: int, share: float = 1.0) -> None:
+        """Goes through `motion` times `share` in so many steps; a pair at rest in its first state stays in line."""
+        r1, r2 = self.radii
+        span = r1 + r2
+        duration = steps * STEP
+        bend = motion.axis[0] * self.across + motion.axis[1] * self.binormal
+        spin = -motion.slip / span * self.binormal
+        turn = motion.bending / span * bend
+        twist = motion.twist / 2 * self.normal
+        approach = motion.overlap / 2 * self.normal
+        self._set(0, approach / duration, (spin + r2 * turn + twist) / duration)
+        self._set(1, -approach / duration, (spin - r1 * turn - twist) / duration)
+        O.dt = share * STEP
+        for _ in range(steps):
+            O.step()
+
+    def _set(self, which: int, velocity: np.ndarray, spin: np.ndarray) -> None:
+        state = O.bodies[self.ids[which]].state
+        state.vel, state.angVel = velocity, spin
+
+    def forces(self) -> np.ndarray:
+        """Forces (2, 3) on the two elements [N]."""
+        return np.array([O.forces.f(i) for i in self.ids])
+
+    def torques(self) -> np.ndarray:
+        """Torques (2, 3) on the two elements about their centres [N m]."""
+        return np.array([O.forces.t(i) for i in self.ids])

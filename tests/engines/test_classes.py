@@ -1,0 +1,77 @@
+"""Grus's classes are YADE classes like any other."""
+
+import grus
+import pytest
+from yade import O
+from yade.wrapper import BondLedger, BondMat, BondPhys, BondState, CrushingPlatens
+
+CLASSES = [
+    grus.BondLedger,
+    grus.BondMat,
+    grus.BondPhys,
+    grus.BondState,
+    grus.BondTimeStepper,
+    grus.CrushingPlatens,
+    grus.Ip2_BondMat_BondMat_BondPhys,
+    grus.Law2_ScGeom_BondPhys_Bonded,
+]
+
+
+@pytest.mark.parametrize("cls", CLASSES)
+def test_every_attribute_is_explained(cls):
+    assert cls.__doc__.strip()
+    for name in cls().dict():
+        if name in vars(cls):
+            assert len(vars(cls)[name].__doc__.split(":ydefault:")[0].strip()) > 10, name
+
+
+def test_keywords_and_attributes():
+    material = BondMat(bond="parallel", tensileStrength=3e6, kn=1e9)
+    assert (material.bond, material.tensileStrength, material.kn) == ("parallel", 3e6, 1e9)
+    material.tensileStrength = 4e6
+    assert material.dict()["tensileStrength"] == 4e6
+
+
+@pytest.mark.parametrize(
+    "key, value, allowed",
+    [
+        ("bond", "glue", "'contact', 'none', 'parallel'"),
+        ("bondStiffness", "N/m", "'area', 'modulus', 'total'"),
+        ("scatter", "uniform", "'none', 'normal', 'weibull'"),
+        ("tensileStrength", -1.0, "0 or more"),
+        ("momentContribution", 1.5, "0 to 1"),
+        ("bondRadiusRatio", 0.0, "more than 0"),
+        ("bondFrictionAngle", 1.6, "0 to below pi/2"),
+    ],
+)
+def test_bad_material_is_refused(key, value, allowed):
+    with pytest.raises(ValueError) as refusal:
+        BondMat(**{key: value})
+    assert f"BondMat.{key}" in str(refusal.value) and allowed in str(refusal.value)
+    with pytest.raises(ValueError):
+        setattr(BondMat(), key, value)
+
+
+def test_bad_platens_are_refused():
+    with pytest.raises(ValueError, match="control = 'slowly'; allowed: 'force', 'speed'"):
+        CrushingPlatens(control="slowly")
+    with pytest.raises(ValueError, match="peakDrop"):
+        CrushingPlatens(peakDrop=1.0)
+
+
+def test_platens_without_walls_end_the_run_with_one_line():
+    O.reset()
+    O.engines = [CrushingPlatens(bottom=3, top=4)]
+    with pytest.raises(RuntimeError, match="no body with id 3"):
+        O.step()
+
+
+def test_material_makes_its_state():
+    assert isinstance(BondMat().newAssocState(), BondState)
+
+
+def test_results_are_read_only():
+    with pytest.raises(AttributeError):
+        BondPhys().bonded = True
+    with pytest.raises(AttributeError):
+        BondLedger().slidingWork = 1.0
