@@ -25,7 +25,7 @@ def probes(table: dict) -> Iterator[str]:
             if kind not in PROBED or EXCLUDED & {name, f"{name}.{member}"}:
                 continue
             place = f'{entry["members"][member]}, {entry["size"]}'
-            yield f'    {{"{name}", "{member}", {place}, &agrees<{kind}>}},'
+            yield f'    {{"{name}", "{member}", {place}, sizeof({kind}), &agrees<{kind}>}},'
 
 
 def vtables(table: dict) -> Iterator[str]:

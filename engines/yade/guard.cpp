@@ -1,8 +1,5 @@
 #include <yade/guard.hpp>
 
-#include <map>
-#include <stdexcept>
-
 #include <dlfcn.h>
 #include <link.h>
 
@@ -10,9 +7,7 @@
 #include <core/Omega.hpp>
 #include <core/Scene.hpp>
 #include <pkg/dem/ScGeom.hpp>
-#include <yade/probe.hpp>
-
-#include <layout_probes.hpp>
+#include <yade/guard_table.hpp>
 
 namespace yade {
 namespace sdk {
@@ -34,8 +29,8 @@ std::string pythonError() {
 }
 
 std::string dotted(const py::object& version) { // major.minor of (1, 74, 0)
-    return py::extract<std::string>(py::str(".").join(
-        py::make_tuple(py::str(py::object(version[0])), py::str(py::object(version[1])))));
+    return py::extract<std::string>(
+        py::str(".").join(py::make_tuple(py::str(py::object(version[0])), py::str(py::object(version[1])))));
 }
 
 void compareVersions(const std::map<std::string, std::string>& versions, Differences& differences) {
@@ -50,8 +45,8 @@ void compareVersions(const std::map<std::string, std::string>& versions, Differe
 }
 
 /// Virtual functions more or fewer than declared would make every call land beside its aim.
-void compareVtables(Differences& differences) {
-    for (const auto& table : layoutVtables) {
+void compareVtables(const std::vector<Vtable>& vtables, Differences& differences) {
+    for (const auto& table : vtables) {
         void* const address = dlsym(RTLD_DEFAULT, table.symbol);
         void* found = nullptr;
         Dl_info info;
@@ -80,7 +75,8 @@ void compareMember(const Probe& probe, Differences& differences) {
 /// What Python cannot set and read back: references, and the parts of the current scene.
 void compareScene(Differences& differences) {
     const auto need = [&](bool fine, const char* what) {
-        if (!fine) differences.push_back(what);
+        if (!fine)
+            differences.push_back(what);
     };
     const State state;
     need(&state.pos == &state.se3.position && &state.ori == &state.se3.orientation, "State.pos does not refer to se3");
@@ -102,33 +98,23 @@ void compareScene(Differences& differences) {
 }
 
 py::list check(py::dict expected) {
-    std::map<std::string, std::string> versions = {
-        {"version", layoutVersion}, {"boost", layoutBoost}, {"python", layoutPython}};
-    std::vector<Probe> probes = layoutProbes;
+    GuardTable table = generatedTable();
     const py::list keys = expected.keys();
-    for (py::ssize_t i = 0; i < py::len(keys); ++i) {
-        const std::string key = py::extract<std::string>(keys[i]);
-        bool known = versions.count(key);
-        if (known) versions[key] = py::extract<std::string>(expected[key]);
-        for (auto& probe : probes) {
-            if (key != std::string(probe.className) + "." + probe.member) continue;
-            probe.offset = py::extract<std::size_t>(expected[key]);
-            known = probe.offset < probe.classSize;
-        }
-        if (!known) {
-            PyErr_SetString(PyExc_KeyError, ("no entry, or no place in the object: " + key).c_str());
-            py::throw_error_already_set();
-        }
-    }
+    for (py::ssize_t i = 0; i < py::len(keys); ++i)
+        table.replace(py::extract<std::string>(keys[i]), expected[keys[i]]);
 
     Differences differences;
-    compareVersions(versions, differences);
-    if (differences.empty()) compareVtables(differences);
+    compareVersions(table.versions, differences);
     if (differences.empty())
-        for (const auto& probe : probes) compareMember(probe, differences);
-    if (differences.empty()) compareScene(differences);
+        compareVtables(table.vtables, differences);
+    if (differences.empty())
+        for (const auto& probe : table.probes)
+            compareMember(probe, differences);
+    if (differences.empty())
+        compareScene(differences);
     py::list result;
-    for (const auto& text : differences) result.append(text);
+    for (const auto& text : differences)
+        result.append(text);
     return result;
 }
 

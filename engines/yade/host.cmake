@@ -43,6 +43,7 @@ target_include_directories(yade_interface INTERFACE ${CMAKE_CURRENT_LIST_DIR}/in
 set(GRUS_HOST_SOURCES
   ${CMAKE_CURRENT_LIST_DIR}/asserts.cpp
   ${CMAKE_CURRENT_LIST_DIR}/guard.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/guard_table.cpp
   ${CMAKE_CURRENT_LIST_DIR}/registration.cpp
   ${GRUS_GENERATED}/layout_asserts.hpp
   ${GRUS_GENERATED}/layout_probes.hpp)

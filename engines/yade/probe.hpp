@@ -23,15 +23,9 @@ struct Probe {
     const char* member;
     std::size_t offset;
     std::size_t classSize;
+    std::size_t size;
     /// True when a value set in Python appears at the place, and a value put there appears in Python.
     bool (*agrees)(boost::python::object, const char* member, char* place);
-};
-
-/// A table of virtual functions and its size [bytes] in the layout table.
-struct Vtable {
-    const char* className;
-    const char* symbol;
-    std::size_t bytes;
 };
 
 /// Two different values that no fresh object has.
@@ -61,9 +55,7 @@ template <> inline boost::shared_ptr<Shape> sample(int) { return made<Shape>("Sh
 template <> inline boost::shared_ptr<State> sample(int) { return made<State>("State"); }
 
 /// Whether the bytes at a place can be the value; looks at bytes only, because a wrong place may hold anything.
-template <class T> bool holds(const char* place, const T& value) {
-    return std::memcmp(place, &value, sizeof(T)) == 0;
-}
+template <class T> bool holds(const char* place, const T& value) { return std::memcmp(place, &value, sizeof(T)) == 0; }
 template <class Kind> bool holds(const char* place, const boost::shared_ptr<Kind>& value) {
     const Kind* held = value.get(); // the count behind it differs: Python wraps each pointer anew
     return std::memcmp(place, &held, sizeof held) == 0;
@@ -98,7 +90,8 @@ template <class T> bool agrees(boost::python::object python, const char* member,
     dict keywords;
     keywords[member] = fromPython;
     python.attr("updateAttrs")(keywords);
-    if (!holds(place, fromPython)) return false;
+    if (!holds(place, fromPython))
+        return false;
     const T fromHere = sample<T>(1);
     *reinterpret_cast<T*>(place) = fromHere;
     return shows(object(python.attr("dict")()[member]), fromHere);

@@ -24,12 +24,14 @@ std::string baseOf(const PluginClass& known) { return known.createShared()->getB
 /// Python refuses a class whose base it does not know, and source files register in any order.
 std::vector<PluginClass> basesFirst(std::vector<PluginClass> waiting) {
     std::set<std::string> names;
-    for (const auto& entry : waiting) names.insert(entry.name);
+    for (const auto& entry : waiting)
+        names.insert(entry.name);
     std::vector<PluginClass> sorted;
     while (!waiting.empty()) {
         const auto next =
             std::find_if(waiting.begin(), waiting.end(), [&](const auto& it) { return !names.count(baseOf(it)); });
-        if (next == waiting.end()) throw std::logic_error("classes are bases of each other: " + waiting[0].name);
+        if (next == waiting.end())
+            throw std::logic_error("classes are bases of each other: " + waiting[0].name);
         names.erase(next->name);
         sorted.push_back(*next);
         waiting.erase(next);
@@ -39,10 +41,12 @@ std::vector<PluginClass> basesFirst(std::vector<PluginClass> waiting) {
 
 void enterFactory(const PluginClass& entry) {
     auto& factory = ClassFactory::instance();
-    if (factory.registerFactorable(entry.name, entry.create, entry.createShared, entry.createPureCustom)) return;
+    if (factory.registerFactorable(entry.name, entry.create, entry.createShared, entry.createPureCustom))
+        return;
     // The name is taken; headers of a real YADE source tree have entered this same class by themselves.
     const auto taken = factory.createShared(entry.name), ours = entry.createShared();
-    if (typeid(*taken) != typeid(*ours)) throw std::runtime_error("YADE already has a class named " + entry.name);
+    if (typeid(*taken) != typeid(*ours))
+        throw std::runtime_error("YADE already has a class named " + entry.name);
 }
 
 /// YADE fills this table once, at its start, and gives out read access only.

@@ -23,9 +23,9 @@ std::vector<double> draws(int n, std::uint64_t seed) {
 
 TEST(Random, DependsOnSeedPurposeAndIdsOnly) {
     EXPECT_EQ(uniform(7, Draw::BondStrength, 3, 9), uniform(7, Draw::BondStrength, 3, 9));
-    const std::set<double> different{uniform(7, Draw::BondStrength, 3, 9),  uniform(8, Draw::BondStrength, 3, 9),
-                                     uniform(7, Draw::GrainStrength, 3, 9), uniform(7, Draw::BondStrength, 4, 9),
-                                     uniform(7, Draw::BondStrength, 3, 10), uniform(7, Draw::BondStrength, 9, 3),
+    const std::set<double> different{uniform(7, Draw::BondStrength, 3, 9),   uniform(8, Draw::BondStrength, 3, 9),
+                                     uniform(7, Draw::GrainStrength, 3, 9),  uniform(7, Draw::BondStrength, 4, 9),
+                                     uniform(7, Draw::BondStrength, 3, 10),  uniform(7, Draw::BondStrength, 9, 3),
                                      uniform(7, Draw::BondStrength, 3, 9, 1)};
     EXPECT_EQ(different.size(), 7u);
 }

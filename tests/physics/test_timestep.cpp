@@ -90,6 +90,16 @@ const ContactSprings axial{5, 0, 0, 0}, full{5, 3, 1.2, 0.8};
 
 }
 
+TEST(CriticalStep, LargestEigenvalueIsEigens) {
+    for (unsigned seed = 1; seed < 50; ++seed) {
+        std::srand(seed);
+        const Mat6 random = Mat6::Random();
+        const Mat6 symmetric = random * random.transpose() * std::pow(10.0, static_cast<double>(seed % 20) - 10);
+        const Eigen::SelfAdjointEigenSolver<Mat6> solver(symmetric);
+        EXPECT_NEAR(largestEigenvalue(symmetric) / solver.eigenvalues().maxCoeff(), 1, 1e-13);
+    }
+}
+
 TEST(CriticalStep, PairOfEqualBodiesIsExact) {
     const std::vector<Sphere> pair{{Vec3(0, 0, 0), 1, 2}, {Vec3(2, 0, 0), 1, 2}};
     EXPECT_NEAR(boundedStep(pair, {{0, 1}}, axial), 2 / std::sqrt(2 * 5 / 2.0), 1e-12);

@@ -53,7 +53,9 @@ def _unknown(
 
 def _guess(name: Any, parent: str, section: type[Section], top: type[Section]) -> str | None:
     """The nearest key of the same table, else the key of that name in another table."""
-    name = str(name)[:100]
+    if not isinstance(name, str):
+        return None
+    name = name[:100]
     if close := difflib.get_close_matches(name, keys(section), n=1):
         return parent + close[0]
     leaves = {full.rpartition(".")[2]: full for full, _ in reversed(list(schema(top)))}

@@ -3,7 +3,9 @@
 import contextlib
 import importlib
 import io
+import os
 import sys
+from pathlib import Path
 from types import ModuleType
 
 from grus.host import locate
@@ -14,6 +16,9 @@ SHOWN_DIFFERENCES = 3
 
 def import_yade() -> ModuleType:
     """YADE's package, imported without its greeting on standard output."""
+    os.environ.setdefault("HOME", str(Path.home()))  # services have none, and YADE insists on it
+    # As YADE's own program does: one thread unless more are asked for. OpenMP reads it when YADE loads it.
+    os.environ.setdefault("OMP_NUM_THREADS", "1")
     if not locate.importable():
         sys.path.append(str(locate.yade_folder()))
     with contextlib.redirect_stdout(io.StringIO()):

@@ -10,6 +10,7 @@ from yade.wrapper import (
     Ig2_Wall_Sphere_ScGeom,
     InsertionSortCollider,
     InteractionLoop,
+    InteractionSorter,
     Ip2_BondMat_BondMat_BondPhys,
     Law2_ScGeom_BondPhys_Bonded,
 )
@@ -31,6 +32,7 @@ class InteractionEngines:
         self.list: list[Engine] = [
             ForceResetter(),
             InsertionSortCollider([self.bound, Bo1_Wall_Aabb()]),
+            InteractionSorter(),
             InteractionLoop(
                 [self.sphere_contact, Ig2_Wall_Sphere_ScGeom()], [self.ip2], [self.law]
             ),

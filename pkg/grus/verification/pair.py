@@ -1,6 +1,7 @@
 """Two elements in YADE whose motion is prescribed."""
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 from yade import O, utils
 from yade.wrapper import (
     Bo1_Sphere_Aabb,
@@ -13,13 +14,14 @@ from yade.wrapper import (
 
 from grus.verification.formulas import Motion
 from grus.verification.laws import Law
-from grus.verification.one_thread import one_thread
 
 AXES = {  # n, t and b of a pair; in the plane b is the axis of the plane
     False: np.array([[1, 2, 2], [2, 1, -2], [-2, 2, -1]]) / 3,
     True: np.array([[0.6, 0.8, 0.0], [-0.8, 0.6, 0.0], [0.0, 0.0, 1.0]]),
 }
-REACH = 1.0001  # of the sum of the radii, so that elements that touch are seen whatever the rounding
+REACH = (
+    1.0001  # of the sum of the radii, so that elements that touch are seen whatever the rounding
+)
 STEP = 1e-6  # [s]
 
 
@@ -61,7 +63,6 @@ class PairScene:
             InteractionLoop([law.geometry], [law.physics], [law.law]),
             *law.engines,
         ]
-        one_thread()
         O.dt = STEP
         O.step()
         law.born()
@@ -75,8 +76,8 @@ class PairScene:
     def holds(self) -> bool:
         return O.interactions.has(*self.ids) and self.law.holds(self.interaction)
 
-    def drive(self, motion: Motion, steps: int, share: float = 1.0) -> None:
-        """Goes through `motion` times `share` in so many steps; a pair at rest in its first state stays in line."""
+    def drive(self, motion: Motion, steps: int) -> None:
+        """Goes through `motion` in so many equal steps."""
         r1, r2 = self.radii
         span = r1 + r2
         duration = steps * STEP
@@ -87,8 +88,29 @@ class PairScene:
         approach = motion.overlap / 2 * self.normal
         self._set(0, approach / duration, (spin + r2 * turn + twist) / duration)
         self._set(1, -approach / duration, (spin - r1 * turn - twist) / duration)
-        O.dt = share * STEP
+        O.dt = STEP
         for _ in range(steps):
+            O.step()
+
+    def translate(self, step: np.ndarray) -> None:
+        """Moves the second element by `step` (3,) [m] in one step, without spin."""
+        self._set(0, np.zeros(3), np.zeros(3))
+        self._set(1, step / STEP, np.zeros(3))
+        O.dt = STEP
+        O.step()
+
+    def turn(self, rotation: np.ndarray, steps: int) -> None:
+        """Turns the pair as one rigid body about its middle by the rotation vector (3,) [rad]."""
+        step = Rotation.from_rotvec(rotation / steps)
+        places = [np.array(O.bodies[i].state.pos) for i in self.ids]
+        centre = (places[0] + places[1]) / 2
+        arms = [place - centre for place in places]
+        O.dt = STEP
+        for _ in range(steps):
+            after = [step.apply(arm) for arm in arms]
+            for i in (0, 1):
+                self._set(i, (after[i] - arms[i]) / STEP, rotation / steps / STEP)
+            arms = after
             O.step()
 
     def _set(self, which: int, velocity: np.ndarray, spin: np.ndarray) -> None:

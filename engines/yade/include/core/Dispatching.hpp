@@ -36,8 +36,9 @@ public:
 YADE_HOST_KEY(IGeomFunctor)
 
 /// Makes the physics of a contact; called at every step, also when interaction->phys exists.
-class IPhysFunctor : public sdk::PairFunctor<void, const boost::shared_ptr<Material>&,
-                                             const boost::shared_ptr<Material>&, const boost::shared_ptr<Interaction>&> {
+class IPhysFunctor
+    : public sdk::PairFunctor<void, const boost::shared_ptr<Material>&, const boost::shared_ptr<Material>&,
+                              const boost::shared_ptr<Interaction>&> {
 public:
     IPhysFunctor() {}
     YADE_HOST_CLASS(IPhysFunctor)

@@ -30,8 +30,8 @@ public:
     State();
     YADE_HOST_CLASS(State)
     YADE_HOST_INDEX_ROOT(State)
-    YADE_HOST_ARCHIVE(Serializable, (se3)(vel)(mass)(angVel)(angMom)(inertia)(refPos)(refOri)(blockedDOFs)(isDamped)(
-                                        densityScaling))
+    YADE_HOST_ARCHIVE(Serializable,
+                      (se3)(vel)(mass)(angVel)(angMom)(inertia)(refPos)(refOri)(blockedDOFs)(isDamped)(densityScaling))
 };
 YADE_HOST_KEY(State)
 

@@ -19,7 +19,8 @@
 
 #include <sdk/eigen_archive.hpp>
 
-#define YADE_HOST_ARCHIVED_(r, unused, member) archive& boost::serialization::make_nvp(BOOST_PP_STRINGIZE(member), member);
+#define YADE_HOST_ARCHIVED_(r, unused, member)                                                                         \
+    archive& boost::serialization::make_nvp(BOOST_PP_STRINGIZE(member), member);
 
 /// Inside a class of YADE: its archived members, in YADE's order, after its base. Derived classes instantiate this
 /// although YADE's own code runs in the end.

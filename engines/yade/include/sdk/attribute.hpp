@@ -11,19 +11,13 @@ namespace yade {
 
 /// What may be done with an attribute; flags combine with |.
 namespace Attr {
-enum flags { none = 0, noSave = 1, readonly = 2, triggerPostLoad = 4, hidden = 8, noResize = 16 };
+enum flags { noSave = 1, readonly = 2, triggerPostLoad = 4, hidden = 8 };
 }
 
 namespace sdk {
 
 /// Flags as written in an attribute's tuple, where the place may be empty.
 constexpr int attrFlags(int flags = 0) { return flags; }
-
-/// YADE's docstring of an attribute, from which its manual is made.
-inline std::string attrDoc(const char* doc, const char* byDefault, const char* type, int flags) {
-    return std::string(doc) + " :ydefault:`" + byDefault + "` :yattrtype:`" + type + "` :yattrflags:`" +
-           std::to_string(flags) + "` ";
-}
 
 /// Without a setter (None) Python refuses assignment.
 inline void addProperty(boost::python::object& python, const char* name, const boost::python::object& get,
@@ -46,12 +40,16 @@ template <int flags, auto member> struct Attribute;
 
 /// Python's property of one attribute.
 template <int flags, class Class, class T, T Class::*member> struct Attribute<flags, member> {
-    static void add(boost::python::object& python, const char* name, const std::string& doc) {
+    static void add(boost::python::object& python, const char* name, const std::string& doc, const char* byDefault,
+                    const char* type) {
         using namespace boost::python;
         if constexpr ((flags & Attr::hidden) == 0) {
             using Policy = std::conditional_t<ByReference<T>::value, return_internal_reference<>,
                                               return_value_policy<return_by_value>>;
-            addProperty(python, name, make_getter(member, Policy()), setter(), doc);
+            // The roles are those that YADE's manual is made from.
+            const std::string roles = std::string(" :ydefault:`") + byDefault + "` :yattrtype:`" + type +
+                                      "` :yattrflags:`" + std::to_string(flags) + "` ";
+            addProperty(python, name, make_getter(member, Policy()), setter(), doc + roles);
         }
     }
 
@@ -66,18 +64,22 @@ template <int flags, class Class, class T, T Class::*member> struct Attribute<fl
     }
 
     static bool set(Class& self, const char* name, const std::string& key, const boost::python::object& value) {
-        if constexpr ((flags & Attr::hidden) != 0) return false;
-        if (key != name) return false;
+        if constexpr ((flags & Attr::hidden) != 0)
+            return false;
+        if (key != name)
+            return false;
         self.*member = boost::python::extract<T>(value)();
         return true;
     }
 
     static void get(const Class& self, const char* name, boost::python::dict& into) {
-        if constexpr ((flags & Attr::hidden) == 0) into[name] = boost::python::object(self.*member);
+        if constexpr ((flags & Attr::hidden) == 0)
+            into[name] = boost::python::object(self.*member);
     }
 
     template <class Archive> static void archive(Archive& archive, Class& self, const char* name) {
-        if constexpr ((flags & Attr::noSave) == 0) archive& boost::serialization::make_nvp(name, self.*member);
+        if constexpr ((flags & Attr::noSave) == 0)
+            archive& boost::serialization::make_nvp(name, self.*member);
     }
 };
 

@@ -13,21 +13,22 @@
 #define YADE_SDK_FLAGS_(attr) ::yade::sdk::attrFlags(BOOST_PP_TUPLE_ELEM(5, 3, attr))
 #define YADE_SDK_DOC_(attr) BOOST_PP_TUPLE_ELEM(5, 4, attr)
 #define YADE_SDK_KEY_(attr) BOOST_PP_STRINGIZE(YADE_SDK_NAME_(attr))
+#define YADE_SDK_TYPE_TEXT_(attr) BOOST_PP_STRINGIZE(YADE_SDK_TYPE_(attr))
+#define YADE_SDK_DEFAULT_TEXT_(attr) BOOST_PP_STRINGIZE(YADE_SDK_DEFAULT_(attr))
 #define YADE_SDK_ATTRIBUTE_(Class, attr) ::yade::sdk::Attribute<YADE_SDK_FLAGS_(attr), &Class::YADE_SDK_NAME_(attr)>
 
 #define YADE_SDK_DECLARE_(r, Class, attr) YADE_SDK_TYPE_(attr) YADE_SDK_NAME_(attr);
 #define YADE_SDK_START_(r, Class, attr) , YADE_SDK_NAME_(attr)(YADE_SDK_DEFAULT_(attr))
 #define YADE_SDK_INIT_(r, Class, init) , BOOST_PP_TUPLE_ELEM(2, 0, init)(BOOST_PP_TUPLE_ELEM(2, 1, init))
 #define YADE_SDK_SET_(r, Class, attr)                                                                                  \
-    if (YADE_SDK_ATTRIBUTE_(Class, attr)::set(*this, YADE_SDK_KEY_(attr), key, value)) return;
+    if (YADE_SDK_ATTRIBUTE_(Class, attr)::set(*this, YADE_SDK_KEY_(attr), key, value))                                 \
+        return;
 #define YADE_SDK_GET_(r, Class, attr) YADE_SDK_ATTRIBUTE_(Class, attr)::get(*this, YADE_SDK_KEY_(attr), all);
 #define YADE_SDK_ARCHIVE_(r, Class, attr)                                                                              \
     YADE_SDK_ATTRIBUTE_(Class, attr)::archive(archive, *this, YADE_SDK_KEY_(attr));
 #define YADE_SDK_PROPERTY_(r, Class, attr)                                                                             \
-    YADE_SDK_ATTRIBUTE_(Class, attr)::add(                                                                             \
-        python, YADE_SDK_KEY_(attr),                                                                                   \
-        ::yade::sdk::attrDoc(YADE_SDK_DOC_(attr), BOOST_PP_STRINGIZE(YADE_SDK_DEFAULT_(attr)),                         \
-                             BOOST_PP_STRINGIZE(YADE_SDK_TYPE_(attr)), YADE_SDK_FLAGS_(attr)));
+    YADE_SDK_ATTRIBUTE_(Class, attr)::add(python, YADE_SDK_KEY_(attr), YADE_SDK_DOC_(attr),                            \
+                                          YADE_SDK_DEFAULT_TEXT_(attr), YADE_SDK_TYPE_TEXT_(attr));
 
 /// inits: further initialisers ((member, value))...; ctor: statements of the constructor; py: calls on the Python
 /// class such as .def("name", &Class::function).

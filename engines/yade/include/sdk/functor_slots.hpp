@@ -32,9 +32,8 @@ public:
 };
 
 template <class Return, class... Parameters>
-class ReverseSlot
-    : public Unused<Unused<GoSlot<Return, Parameters...>, AfterGo, 7 - int(sizeof...(Parameters))>, BeforeReverse,
-                    int(sizeof...(Parameters)) - 1> {
+class ReverseSlot : public Unused<Unused<GoSlot<Return, Parameters...>, AfterGo, 7 - int(sizeof...(Parameters))>,
+                                  BeforeReverse, int(sizeof...(Parameters)) - 1> {
 public:
     virtual Return goReverse(Parameters...) { return Return(); }
 };

@@ -36,7 +36,8 @@ template <class Class> bool addPluginClass(const char* name) {
 
 #define YADE_SDK_EXPORT_(r, unused, Class) BOOST_CLASS_EXPORT_IMPLEMENT(yade::Class)
 #define YADE_SDK_LIST_(r, unused, Class)                                                                               \
-    [[maybe_unused]] const bool BOOST_PP_CAT(listed, Class) = ::yade::sdk::addPluginClass<Class>(BOOST_PP_STRINGIZE(Class));
+    [[maybe_unused]] const bool BOOST_PP_CAT(listed, Class) =                                                          \
+        ::yade::sdk::addPluginClass<Class>(BOOST_PP_STRINGIZE(Class));
 
 /// Once per class, in namespace yade of its source file: YADE_PLUGIN((One)(Other));
 #define YADE_PLUGIN(classes)                                                                                           \

@@ -9,7 +9,8 @@ class Indexable {
 protected:
     void createIndex() {
         int& index = modifyClassIndex();
-        if (index != -1) return;
+        if (index != -1)
+            return;
         index = getMaxCurrentlyUsedClassIndexOfKin() + 1;
         incrementMaxCurrentlyUsedClassIndexOfKin();
     }
@@ -24,9 +25,7 @@ public:
     virtual const int& getMaxCurrentlyUsedClassIndexOfKin() const { unregistered(); }
 
 private:
-    [[noreturn]] static void unregistered() {
-        throw std::logic_error("indexable class without REGISTER_CLASS_INDEX");
-    }
+    [[noreturn]] static void unregistered() { throw std::logic_error("indexable class without REGISTER_CLASS_INDEX"); }
 };
 
 }

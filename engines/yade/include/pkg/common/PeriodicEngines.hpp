@@ -25,8 +25,9 @@ public:
           realLast(getClock()), iterLast(0), nDone(0) {}
     YADE_HOST_CLASS(PeriodicEngine)
     bool isActivated() override;
-    YADE_HOST_ARCHIVE(GlobalEngine, (virtPeriod)(realPeriod)(iterPeriod)(nDo)(initRun)(firstIterRun)(virtLast)(
-                                        realLast)(iterLast)(nDone))
+    YADE_HOST_ARCHIVE(
+        GlobalEngine,
+        (virtPeriod)(realPeriod)(iterPeriod)(nDo)(initRun)(firstIterRun)(virtLast)(realLast)(iterLast)(nDone))
 
     /// Wall clock [s].
     static Real getClock() {

@@ -12,7 +12,7 @@ public:
     Real refR1;
     Real refR2;
 
-    GenericSpheresContact() { createIndex(); }
+    GenericSpheresContact() : refR1(0), refR2(0) { createIndex(); }
     YADE_HOST_CLASS(GenericSpheresContact)
     YADE_HOST_INDEX(GenericSpheresContact)
     YADE_HOST_ARCHIVE(IGeom, (normal)(contactPoint)(refR1)(refR2))

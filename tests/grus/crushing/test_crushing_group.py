@@ -1,0 +1,146 @@
+"""A group of crushing tests: results, resuming, processes, refusals, files."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+
+import grus  # noqa: F401  loads YADE
+from grus.card import Card
+from grus.crushing import crush, crush_group, summary, write_report
+from grus.crushing.result import CrushingResult
+from grus.errors import GrusError
+
+MODELS = Path(__file__).parents[3] / "models"
+GRAINS = 4
+
+
+@pytest.fixture(scope="module")
+def card() -> Card:
+    return Card.from_file(MODELS / "montesinho.toml").with_overrides({"crush.speed": "0.1 m/s"})
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory, card) -> Path:
+    path = tmp_path_factory.mktemp("group")
+    crush_group(card, GRAINS, path, jobs=2)
+    return path
+
+
+@pytest.fixture(scope="module")
+def group(card, folder):
+    return crush_group(card, GRAINS, folder)
+
+
+def test_grains_crush_by_splitting(group):
+    for grain in group.grains:
+        assert grain.broken and grain.ended == "crushed"
+        assert grain.tension_breaks > grain.shear_breaks > 0
+        assert grain.after.fragment_count >= 2
+        assert grain.before.fragment_count == 1
+        assert len(grain.before.bonds) == grain.bonds
+        assert len(grain.after.bonds) == grain.bonds - grain.tension_breaks - grain.shear_breaks
+
+
+def test_strength_is_force_over_gap_and_thickness(group):
+    for grain in group.grains:
+        assert grain.area == pytest.approx(grain.gap * 1.0)
+        assert grain.strength == pytest.approx(grain.peak_force / grain.gap)
+        assert grain.max_strength >= grain.strength
+
+
+def test_peaks_agree_with_the_record(group):
+    for grain in group.grains:
+        force = grain.record["force"]
+        assert force.max() <= grain.max_force * (1 + 1e-12)
+        assert force.max() > 0.95 * grain.max_force
+        assert force[-1] <= 0.1 * grain.max_force
+
+
+def test_energy_balance_closes(group):
+    assert max(abs(grain.energy_error) for grain in group.grains) < 0.01
+
+
+def test_parallel_processes_give_what_one_gives(card, group):
+    alone = crush(card, grain=2)
+    other = group.grains[2]
+    assert alone.summary() == other.summary()
+    for name in alone.record.channels:
+        np.testing.assert_array_equal(alone.record[name], other.record[name])
+    np.testing.assert_array_equal(alone.after.position, other.after.position)
+
+
+def test_goes_on_where_it_was(card, folder, tmp_path, group):
+    for source in sorted((folder / "grains").iterdir())[:2]:
+        (tmp_path / "grains").mkdir(exist_ok=True)
+        (tmp_path / "grains" / source.name).write_bytes(source.read_bytes())
+    # What a cut-off run may leave: a half-written file under a name that is not taken for a result.
+    (tmp_path / "grains" / "grain-0002.h5").write_bytes(b"half")
+    calls = []
+    again = crush_group(card, GRAINS, tmp_path, 2, lambda done, of: calls.append((done, of)))
+    assert calls == [(2, GRAINS), (3, GRAINS), (4, GRAINS)]
+    assert [g.summary() for g in again.grains] == [g.summary() for g in group.grains]
+
+
+def test_result_survives_its_file(group, tmp_path):
+    result = group.grains[1]
+    result.save(tmp_path / "grain.h5", "key")
+    loaded = CrushingResult.load(tmp_path / "grain.h5", "key")
+    assert loaded.summary() == result.summary()
+    assert loaded.record.units == result.record.units
+    assert loaded.specimen.content_hash() == result.specimen.content_hash()
+    with pytest.raises(GrusError, match="not a result of this card"):
+        CrushingResult.load(tmp_path / "grain.h5", "another key")
+
+
+def test_folder_of_another_card_is_refused(card, folder):
+    other = card.with_overrides({"bond.tensile_strength": "2 MPa"})
+    with pytest.raises(GrusError, match="another card or version"):
+        crush_group(other, GRAINS, folder)
+
+
+@pytest.mark.parametrize("grains, jobs, message", [(0, 1, "grains = 0"), (3, -1, "jobs = -1")])
+def test_impossible_counts_are_refused(card, tmp_path, grains, jobs, message):
+    with pytest.raises(GrusError, match=message):
+        crush_group(card, grains, tmp_path, jobs)
+
+
+def test_report_files(group, tmp_path):
+    write_report(group, tmp_path)
+    result = json.loads((tmp_path / "result.json").read_text())
+    assert result["grains"] == GRAINS
+    low, high = result["weibull"]["modulus_ci"]
+    assert low < result["weibull"]["modulus"] < high
+    assert result["weibull"]["sigma0"] > 0
+    assert len(result["tests"]) == GRAINS
+    curves = pd.read_csv(tmp_path / "curves.csv")
+    assert set(curves["grain"]) == set(range(GRAINS))
+    assert {"time [s]", "closing [m]", "force [N]", "released_energy [J]"} <= set(curves.columns)
+    for name in ("weibull", "force-displacement", "fragments"):
+        assert (tmp_path / f"{name}.png").stat().st_size > 10_000
+        assert (tmp_path / f"{name}.svg").stat().st_size > 10_000
+    assert len(list((tmp_path / "vtk").glob("*.vtp"))) == 2 * GRAINS
+
+
+def test_vtk_holds_elements_and_bonds(group, tmp_path):
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+    write_report(group, tmp_path)
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(str(tmp_path / "vtk" / "grain-0001-after.vtp"))
+    reader.Update()
+    data, grain = reader.GetOutput(), group.grains[1]
+    assert data.GetNumberOfPoints() == grain.specimen.element_count
+    assert data.GetNumberOfLines() == len(grain.after.bonds)
+    fragment = data.GetPointData().GetArray("fragment")
+    assert [int(fragment.GetValue(i)) for i in range(len(grain.after.fragment))] == list(
+        grain.after.fragment
+    )
+
+
+def test_summary_is_one_screen(group):
+    lines = summary(group).splitlines()
+    assert len(lines) < 24 and max(map(len, lines)) <= 100
+    assert "Weibull" in summary(group) and "modulus" in summary(group)
