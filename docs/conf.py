@@ -19,6 +19,7 @@ version = release
 extensions = ["myst_parser", "generated"]
 myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 3
+nitpicky = True
 exclude_patterns = ["_build"]
 smartquotes = False  # quotes in tables are those that a card or a script needs
 

@@ -37,16 +37,25 @@ for wall in (bottom, top):
     O.bodies[wall].state.isDamped = False  # their motion is prescribed
 elements = insert(grain, rock)  # ids of the bodies, in the order of grain.position
 
-# The engines. The three that Grus adds to a usual loop: ledger, time step and platens.
+# The engines. Grus adds four to a usual loop: sorter, ledger, time step and platens.
 bounds, contacts = Bo1_Sphere_Aabb(), Ig2_Sphere_Sphere_ScGeom()
 bonds = Ip2_BondMat_BondMat_BondPhys()
 ledger = BondLedger()
 stepper = BondTimeStepper(safety=0.5)
-platens = CrushingPlatens(bottom=bottom, top=top, axis=1, speed=0.01, ledger=ledger)
+platens = CrushingPlatens(
+    bottom=bottom,
+    top=top,
+    axis=1,
+    speed=0.01,  # at which they close in on each other [m/s]
+    peakDrop=0.1,  # the grain has crushed when the force falls by 10 %
+    recordInterval=1e-5,  # of the initial gap
+    ledger=ledger,
+)
 newton = NewtonIntegrator(damping=0.2, gravity=(0, 0, 0))
 loop = [
     ForceResetter(),
     InsertionSortCollider([bounds, Bo1_Wall_Aabb()]),
+    InteractionSorter(),
     InteractionLoop(
         [contacts, Ig2_Wall_Sphere_ScGeom()], [bonds], [Law2_ScGeom_BondPhys_Bonded(ledger=ledger)]
     ),

@@ -48,7 +48,9 @@ def _heritage(cls: type) -> nodes.paragraph:
     base = cls.__mro__[1]
     made, usual = cls().dict(), base().dict()
     other = [
-        f"{name} = {_shown(made[name])}" for name in usual if _shown(made[name]) != _shown(usual[name])
+        f"{name} = {_shown(made[name])}"
+        for name in usual
+        if _shown(made[name]) != _shown(usual[name])
     ]
     text = "; all its attributes are here as well"
     text += f", with other defaults: {', '.join(f'``{one}``' for one in other)}." if other else "."
@@ -100,5 +102,5 @@ def _shown(value: Any) -> str:
     if isinstance(value, float):
         return f"{value:g}"
     if hasattr(value, "__len__") and not isinstance(value, (str, list)):
-        return f"({', '.join(f'{one:g}' for one in value)})"
+        return f"({', '.join(map(_shown, value))})"
     return repr(value)

@@ -37,8 +37,8 @@ physics::ContactSprings springs(const BondPhys& phys) {
 
 Real BondTimeStepper::criticalStep(Scene* ncb) const {
     std::vector<physics::Mat6> stiffness(ncb->bodies->size(), physics::Mat6::Zero());
-    for (const auto& interaction : ncb->interactions->linIntrs) {
-        if (!interaction || !interaction->isReal())
+    for (const auto& interaction : *ncb->interactions) {
+        if (!interaction->isReal())
             continue;
         const auto* phys = dynamic_cast<const BondPhys*>(interaction->phys.get());
         const auto* geom = dynamic_cast<const ScGeom*>(interaction->geom.get());

@@ -14,13 +14,12 @@ std::pair<int, int> ids(const Interaction& interaction) { return std::minmax(int
 }
 
 void InteractionSorter::action() {
-    auto& list = scene->interactions->linIntrs;
+    auto& list = *scene->interactions;
     const auto inOrder = [](const auto& a, const auto& b) { return ids(*a) < ids(*b); };
-    const auto end = list.begin() + scene->interactions->currSize;
-    if (std::is_sorted(list.begin(), end, inOrder))
+    if (std::is_sorted(list.begin(), list.end(), inOrder))
         return;
-    std::sort(list.begin(), end, inOrder);
-    for (std::size_t i = 0; i < scene->interactions->currSize; ++i)
+    std::sort(list.begin(), list.end(), inOrder);
+    for (std::size_t i = 0; i < list.size(); ++i)
         list[i]->linIx = static_cast<int>(i);
 }
 

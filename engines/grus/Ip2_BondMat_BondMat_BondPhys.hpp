@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pkg/common/Dispatching.hpp>
+#include <core/Dispatching.hpp>
 
 #include <grus/BondMat.hpp>
 #include <grus/BondPhys.hpp>

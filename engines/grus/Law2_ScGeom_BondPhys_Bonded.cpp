@@ -66,12 +66,13 @@ void Law2_ScGeom_BondPhys_Bonded::parallelBond(BondPhys& phys, const Motion& mot
                                                const Vector3r& place) const {
     const auto section = phys.section();
     const auto stiffness = phys.stiffness();
-    auto load = phys.load();
+    const auto before = phys.load();
+    auto load = before;
     physics::deform(load, stiffness, motion.overlap, motion.slip, motion.rotation, motion.normal);
     const auto mode =
         physics::failure(physics::rimStress(load, section, phys.bondRadius, phys.momentContribution), phys.strength());
     if (mode != physics::Breakage::None) {
-        breakBond(phys, mode, physics::bondEnergy(load, stiffness), I, place);
+        breakBond(phys, mode, physics::releasedEnergy(before, load, stiffness), I, place);
         load = {};
     }
     phys.carry(load);
@@ -79,24 +80,29 @@ void Law2_ScGeom_BondPhys_Bonded::parallelBond(BondPhys& phys, const Motion& mot
 
 void Law2_ScGeom_BondPhys_Bonded::contactBond(BondPhys& phys, const Motion& motion, const Interaction& I,
                                               const Vector3r& place) const {
+    const Real normal = phys.contactNormal;
+    const Vector3r shear = phys.contactShear;
     phys.contactNormal = phys.kn * motion.overlap;
     phys.contactShear -= phys.ks * motion.slip;
     const auto mode = physics::failure(phys.stress(), phys.strength());
     if (mode == physics::Breakage::None)
         return;
-    const Real before = phys.elasticEnergy();
+    const Real trialNormal = phys.contactNormal;
+    const Vector3r trialShear = phys.contactShear;
     phys.contactNormal = physics::contactNormal(phys.kn, motion.overlap);
-    physics::slide(phys.contactShear, phys.contactNormal * phys.tangensOfFrictionAngle, phys.ks, 0);
-    breakBond(phys, mode, before - phys.elasticEnergy(), I, place);
+    phys.contactShear = physics::slide(trialShear, phys.contactNormal * phys.tangensOfFrictionAngle);
+    const Real released = physics::lostEnergy(normal, trialNormal, phys.contactNormal, phys.kn) +
+                          physics::lostEnergy(shear, trialShear, phys.contactShear, phys.ks);
+    breakBond(phys, mode, released, I, place);
 }
 
 void Law2_ScGeom_BondPhys_Bonded::frictionalContact(BondPhys& phys, const Motion& motion) const {
+    const Vector3r before = phys.contactShear;
+    const Vector3r trial = before - phys.ks * motion.slip;
     phys.contactNormal = physics::contactNormal(phys.kn, motion.overlap);
-    const Real before = phys.contactShear.norm();
-    phys.contactShear -= phys.ks * motion.slip;
-    const Real limit = phys.contactNormal * phys.tangensOfFrictionAngle;
-    const Real work = physics::slide(phys.contactShear, limit, phys.ks, before);
-    if (work > 0 && ledger)
+    phys.contactShear = physics::slide(trial, phys.contactNormal * phys.tangensOfFrictionAngle);
+    const Real work = physics::lostEnergy(before, trial, phys.contactShear, phys.ks);
+    if (work != 0 && ledger)
         ledger->recordSliding(work);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pkg/common/Dispatching.hpp>
+#include <core/Dispatching.hpp>
 #include <pkg/dem/ScGeom.hpp>
 
 #include <grus/BondLedger.hpp>

@@ -22,8 +22,8 @@ Real kineticEnergy(const Scene& scene) {
 
 Real elasticEnergy(const Scene& scene) {
     Real sum = 0;
-    for (const auto& interaction : scene.interactions->linIntrs) {
-        if (!interaction || !interaction->isReal())
+    for (const auto& interaction : *scene.interactions) {
+        if (!interaction->isReal())
             continue;
         if (const auto* phys = dynamic_cast<const BondPhys*>(interaction->phys.get()))
             sum += phys->elasticEnergy();

@@ -80,10 +80,18 @@ inline Breakage failure(const BondStress& stress, const BondStrength& strength) 
     return tension ? Breakage::Tension : shear ? Breakage::Shear : Breakage::None;
 }
 
-/// Elastic energy [J] stored in a parallel bond, all of it released when it breaks.
+/// Elastic energy [J] stored in a parallel bond.
 inline double bondEnergy(const BondLoad& load, const BondStiffness& k) {
     return springEnergy(load.normal, k.normal) + springEnergy(load.shear.norm(), k.shear) +
            springEnergy(load.bending.norm(), k.bending) + springEnergy(load.twist, k.twist);
+}
+
+/// Energy [J] released by a parallel bond that broke in the step from `before` to `trial`.
+inline double releasedEnergy(const BondLoad& before, const BondLoad& trial, const BondStiffness& k) {
+    const Vec3 none = Vec3::Zero();
+    return lostEnergy(before.normal, trial.normal, 0, k.normal) + lostEnergy(before.shear, trial.shear, none, k.shear) +
+           lostEnergy(before.bending, trial.bending, none, k.bending) +
+           lostEnergy(before.twist, trial.twist, 0, k.twist);
 }
 
 }

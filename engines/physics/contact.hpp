@@ -14,14 +14,22 @@ inline double contactNormal(double kn, double overlap) { return overlap > 0 ? kn
 /// Elastic energy [J] of a spring of stiffness `k` that carries `force`; 0 for a missing spring.
 inline double springEnergy(double force, double k) { return k > 0 ? force * force / (2 * k) : 0; }
 
-/// Limits the shear force to `limit` [N] in place; returns the work [J] done by sliding, with `ks` [N/m]. `before` [N] is
-/// the shear force of the last step: the mean of old and new force, times the slip, is what leapfrog does in a step, so
-/// the energy balance also holds while the limit changes (and when the contact opens and the limit drops to 0).
-inline double slide(Vec3& shear, double limit, double ks, double before) {
-    const double trial = shear.norm();
-    if (trial <= limit) return 0;
-    shear *= limit / trial;
-    return ks > 0 ? (trial - limit) / ks * (before + limit) / 2 : 0;
+/// Energy [J] that leaves a spring of stiffness `k` when a step would take its force from `before` to `trial` but the
+/// force ends at `after`: by sliding, or because a bond breaks. Leapfrog moves the bodies against the mean of the
+/// forces at both ends of the step, so this is that work less the change of the stored energy, and the balance closes
+/// exactly.
+inline double lostEnergy(double before, double trial, double after, double k) {
+    return k > 0 ? (before + after) * (trial - after) / (2 * k) : 0;
+}
+
+inline double lostEnergy(const Vec3& before, const Vec3& trial, const Vec3& after, double k) {
+    return k > 0 ? (before + after).dot(trial - after) / (2 * k) : 0;
+}
+
+/// The shear force [N], limited to `limit` [N].
+inline Vec3 slide(const Vec3& trial, double limit) {
+    const double force = trial.norm();
+    return force > limit ? Vec3(trial * (limit / force)) : trial;
 }
 
 }

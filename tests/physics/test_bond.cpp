@@ -67,6 +67,19 @@ TEST(Bond, ForceIsTheDerivativeOfTheEnergy) {
     EXPECT_NEAR((energyAfter(0, none, h * ex) - energyAfter(0, none, -h * ex)) / (2 * h), load.twist, 1e-8);
 }
 
+TEST(Bond, ReleasedEnergyClosesTheBalanceOfTheStep) {
+    const BondStiffness k{3, 2, 0.7, 0.5};
+    const BondLoad before = someLoad();
+    const double stretch = before.normal / k.normal - 0.1;
+    const Vec3 slip(0, 0.02, -0.03), rotation(-0.1, 0.2, 0.05);
+    BondLoad trial = before;
+    deform(trial, k, stretch, slip, rotation, ex);
+    // Leapfrog's work in the step that breaks the bond: half the force of before, nothing of after.
+    const double work = 0.5 * (before.normal * -0.1 - before.shear.dot(slip) + before.bending.dot(rotation) +
+                               before.twist * rotation.x());
+    EXPECT_NEAR(releasedEnergy(before, trial, k), bondEnergy(before, k) + work, 1e-15);
+}
+
 TEST(Bond, SwappedParticlesGiveOppositeForces) {
     Pair pair = movingPair(), swapped = movingPair();
     std::swap(swapped.a, swapped.b);

@@ -14,6 +14,7 @@ namespace {
 
 std::vector<double> draws(int n, std::uint64_t seed) {
     std::vector<double> u;
+    u.reserve(n);
     for (int i = 0; i < n; ++i)
         u.push_back(uniform(seed, Draw::BondStrength, i, i + 1));
     return u;

@@ -113,6 +113,7 @@ TEST(CriticalStep, PairOfEqualBodiesIsExact) {
 
 TEST(CriticalStep, LongChainIsReachedFromBelow) {
     std::vector<Sphere> chain;
+    chain.reserve(60);
     for (int i = 0; i < 60; ++i)
         chain.push_back({Vec3(2.0 * i, 0, 0), 1, 1});
     const double bound = boundedStep(chain, touching(chain), axial), exact = exactStep(chain, touching(chain), axial);

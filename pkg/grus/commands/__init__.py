@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import typer
 
-from grus.commands import card, crush, info
+from grus.commands import card, crush, info, verify
 from grus.commands.run import run
 
 app = typer.Typer(
@@ -18,6 +18,7 @@ app = typer.Typer(
 app.command()(card.card)
 app.command()(crush.crush)
 app.command()(info.info)
+app.command()(verify.verify)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

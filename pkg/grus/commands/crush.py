@@ -3,10 +3,9 @@
 from typing import Optional
 
 import typer
-from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
 from grus.card import Card
+from grus.commands.progress import progress_bar
 
 
 def crush(
@@ -18,23 +17,12 @@ def crush(
     out: str = typer.Option(..., help="Folder for the results; a run that was cut off goes on."),
 ) -> None:
     """Crush a group of grains between platens and fit their Weibull distribution."""
-    from grus.crushing import crush_group, summary, write_report  # not at the top: matplotlib, VTK
+    # Not at the top: matplotlib and VTK would slow every other command.
+    from grus.crushing import crush_group, summary, write_report
 
     card = Card.from_file(model)
-    console = Console(stderr=True)
-    with Progress(
-        TextColumn("crushing"),
-        BarColumn(),
-        MofNCompleteColumn(),
-        TimeRemainingColumn(),
-        console=console,
-    ) as bar:
-        task = bar.add_task("crushing", total=grains)
-        group = crush_group(
-            card, grains, out, jobs, lambda done, of: bar.update(task, completed=done)
-        )
-    write_report(group, out)
+    with progress_bar("crushing") as show:
+        group = crush_group(card, grains, out, jobs, show)
+    result = write_report(group, out)
     print(summary(group))
-    print(
-        f"\nresults in {out}: result.json, curves.csv, weibull.png, force-displacement.png, fragments.png, vtk/"
-    )
+    print(f"\nresults in {out}: {', '.join(result['files'])}")

@@ -2,11 +2,9 @@
 
 import json
 import os
-from collections.abc import Callable, Iterator
-from concurrent.futures import ProcessPoolExecutor, as_completed
-from contextlib import contextmanager
+from collections.abc import Callable
+from concurrent.futures import as_completed
 from dataclasses import dataclass
-from multiprocessing import get_context
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +14,7 @@ from grus.crushing.result import CrushingResult
 from grus.crushing.test import crush
 from grus.errors import GrusError
 from grus.files import write_text
+from grus.host.processes import one_thread_processes
 from grus.statistics import WeibullFit, fit_weibull
 from grus.version import __version__
 
@@ -74,7 +73,7 @@ def crush_group(
     if progress:
         progress(done, grains)
     if waiting:
-        with _pool(min(jobs, len(waiting))) as pool:
+        with one_thread_processes(min(jobs, len(waiting))) as pool:
             runs = [pool.submit(_run, card, grain, store) for grain in waiting]
             try:
                 for run in as_completed(runs):
@@ -86,22 +85,6 @@ def crush_group(
                 pool.shutdown(wait=False, cancel_futures=True)
                 raise
     return GroupResult(card, tuple(store.load(grain) for grain in range(grains)))
-
-
-@contextmanager
-def _pool(jobs: int) -> Iterator[ProcessPoolExecutor]:
-    # YADE keeps one scene per process and threads of its own: a fork of a process that has loaded it may hang.
-    # OpenMP reads its variable while the new process loads it, so it must be in the environment before.
-    before = os.environ.get("OMP_NUM_THREADS")
-    os.environ["OMP_NUM_THREADS"] = "1"
-    try:
-        with ProcessPoolExecutor(jobs, mp_context=get_context("spawn")) as pool:
-            yield pool
-    finally:
-        if before is None:
-            del os.environ["OMP_NUM_THREADS"]
-        else:
-            os.environ["OMP_NUM_THREADS"] = before
 
 
 def _run(card: Card, grain: int, store: "_Store") -> None:

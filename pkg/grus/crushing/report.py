@@ -28,12 +28,16 @@ def write_report(group: GroupResult, folder: str | Path) -> dict:
         (g.peak_closing, g.peak_force) if g.broken else (g.max_closing, g.max_force)
         for g in group.grains
     ]
-    save(
-        force_displacement_plot(curves, peaks, title=group.card.name), folder / "force-displacement"
-    )
-    save(fragment_picture(group.grains), folder / "fragments")
-    if len(group.grains) >= LEAST:
-        save(weibull_plot(group.weibull(), title=group.card.name), folder / "weibull")
+    title = group.card.name
+    figures = {
+        "force-displacement": force_displacement_plot(curves, peaks, title=title),
+        "fragments": fragment_picture(group.grains),
+    }
+    if "weibull" in result:
+        figures["weibull"] = weibull_plot(group.weibull(), title=title)
+    for name, figure in figures.items():
+        save(figure, folder / name)
+    result["files"] = ["curves.csv", "result.json", *(f"{name}.png" for name in figures), "vtk/"]
     for grain in group.grains:
         for moment in ("before", "after"):
             path = folder / "vtk" / f"grain-{grain.grain:04d}-{moment}.vtp"

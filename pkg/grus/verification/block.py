@@ -3,18 +3,11 @@
 from dataclasses import dataclass
 
 import numpy as np
-from yade import O, utils
-from yade.wrapper import (
-    Bo1_Sphere_Aabb,
-    ForceResetter,
-    InsertionSortCollider,
-    InteractionLoop,
-    NewtonIntegrator,
-)
+from yade import O
+from yade.wrapper import NewtonIntegrator
 
-from grus.verification.laws import Law
+from grus.verification.law import Law
 
-REACH = 1.0001  # of the sum of the radii
 COUNTS = (4, 5, 5)  # spheres along x and y, layers along z
 SCATTER = 0.05  # half range of the factors on the strengths
 SEED = 1
@@ -67,26 +60,16 @@ def load_block(law: Law, radius: float, velocity: np.ndarray, dt: float, steps: 
     O.materials.append(law.material)
     centres = hexagonal_block(radius)
     for centre in centres:
-        O.bodies.append(utils.sphere(centre, radius, color=(1, 1, 1)))
+        O.bodies.append(law.sphere(centre, radius))
     layer = np.rint(centres[:, 2] / (2 * np.sqrt(2 / 3) * radius)).astype(int)
     top = [i for i, k in enumerate(layer) if k == COUNTS[2] - 1]
     for body in O.bodies:
-        if hasattr(body.state, "grain"):
-            body.state.grain = 0
         if layer[body.id] in (0, COUNTS[2] - 1):
             body.state.blockedDOFs = "xyzXYZ"
-    law.geometry.interactionDetectionFactor = REACH
-    O.engines = [
-        ForceResetter(),
-        InsertionSortCollider([Bo1_Sphere_Aabb(aabbEnlargeFactor=REACH)]),
-        InteractionLoop([law.geometry], [law.physics], [law.law]),
-        *law.engines,
-        NewtonIntegrator(damping=0),
-    ]
+    O.engines = [*law.interaction_engines(), NewtonIntegrator(damping=0)]
     O.dt = 0
     O.step()
     law.born()
-    law.geometry.interactionDetectionFactor = 1
     _scatter(law)
     for i in top:
         O.bodies[i].state.vel = velocity

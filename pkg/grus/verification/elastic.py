@@ -29,7 +29,7 @@ LOAD_NOTE = (
 
 
 def elastic_rows() -> Iterator[Row]:
-    """One row a motion for load and one for energy; of a parallel bond the worst of the three ways to give stiffness."""
+    """Two rows a motion, load and energy; of a parallel bond the worst of the three ways to give its stiffness."""
     for kind in ("contact", "parallel"):
         for thickness in (0.0, THICKNESS):
             for name, motion in _motions(kind, thickness > 0):
@@ -47,10 +47,8 @@ def elastic_rows() -> Iterator[Row]:
 
 def _motions(kind: str, plane: bool) -> Iterator[tuple[str, Motion]]:
     for name, motion in MOTIONS.items():
-        if kind == "contact":
-            if name in ("bending", "twist"):
-                continue
-            name = name.replace(", bending, twist", "")
+        if kind == "contact" and name in ("bending", "twist"):
+            continue  # which alone give no load; below they must add none
         if plane:
             if name == "twist":
                 continue

@@ -14,69 +14,28 @@ the normal force by tan(phi), and the same friction afterwards. Their parameters
 For equal radii h(E r) = E r, so E = kn / r and nu = ks / kn, with kn and ks of the whole contact.
 """
 
-from dataclasses import dataclass, field
 from math import atan, pi
 
 from yade.wrapper import (
     BondLedger,
     BondMat,
     CohFrictMat,
-    Engine,
-    IGeomFunctor,
     Ig2_Sphere_Sphere_ScGeom,
     Ig2_Sphere_Sphere_ScGeom6D,
-    Interaction,
     Ip2_BondMat_BondMat_BondPhys,
     Ip2_CohFrictMat_CohFrictMat_CohFrictPhys,
     Ip2_JCFpmMat_JCFpmMat_JCFpmPhys,
-    IPhysFunctor,
     JCFpmMat,
     Law2_ScGeom6D_CohFrictPhys_CohesionMoment,
     Law2_ScGeom_BondPhys_Bonded,
     Law2_ScGeom_JCFpmPhys_JointedCohesiveFrictionalPM,
-    LawFunctor,
     MatchMaker,
-    Material,
 )
 
 from grus.verification.formulas import BondedPair
+from grus.verification.law import DENSITY, Law
 
-DENSITY = 2600.0  # [kg/m3]
 NEVER = 1e200  # stands for a strength that is never reached: archives and parsers know no inf
-
-
-@dataclass
-class Law:
-    """Material and functors of one law. `interaction` names in `strengths` are the limits of a bond."""
-
-    name: str
-    material: Material
-    geometry: IGeomFunctor
-    physics: IPhysFunctor
-    law: LawFunctor
-    strengths: tuple[str, str]
-    engines: list[Engine] = field(default_factory=list)
-
-    def holds(self, interaction: Interaction) -> bool:
-        """Whether the bond of a pair holds."""
-        if not interaction.isReal:
-            return False
-        phys = interaction.phys
-        if isinstance(self.material, BondMat):
-            return phys.bonded
-        if isinstance(self.material, CohFrictMat):
-            return not phys.cohesionBroken
-        return phys.isCohesive
-
-    def born(self) -> None:
-        """To be called when all bonds are made: contacts that form later are not bonded."""
-        if isinstance(self.material, BondMat):
-            self.physics.bonding = False
-
-    def weaken(self, interaction: Interaction, factor: float) -> None:
-        """Multiplies both limits of one bond."""
-        for name in self.strengths:
-            setattr(interaction.phys, name, factor * getattr(interaction.phys, name))
 
 
 def grus_law(pair: BondedPair) -> Law:
@@ -99,7 +58,6 @@ def grus_law(pair: BondedPair) -> Law:
     )
     ledger = BondLedger()
     return Law(
-        f"Grus, {pair.kind} bond",
         material,
         Ig2_Sphere_Sphere_ScGeom(),
         Ip2_BondMat_BondMat_BondPhys(bonding=True),
@@ -132,7 +90,6 @@ def cohfrict_law(pair: BondedPair, alpha_kr: float = 0.0, alpha_ktw: float = 0.0
         if hasattr(physics, limit):
             setattr(physics, limit, MatchMaker(algo="val", val=-1))
     return Law(
-        "CohFrict",
         material,
         Ig2_Sphere_Sphere_ScGeom6D(),
         physics,
@@ -152,7 +109,6 @@ def jcfpm_law(pair: BondedPair) -> Law:
         cohesion=min(pair.shear, NEVER) / area,
     )
     return Law(
-        "JCFpm",
         material,
         Ig2_Sphere_Sphere_ScGeom(),
         Ip2_JCFpmMat_JCFpmMat_JCFpmPhys(),

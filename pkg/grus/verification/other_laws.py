@@ -1,14 +1,14 @@
 """A bonded pair under YADE's CohFrict and JCFpm, against the contact bond of Grus."""
 
 from collections.abc import Callable, Iterator
-from dataclasses import replace
 from math import nan
 
 import numpy as np
 
 from grus.verification.elastic import load
 from grus.verification.formulas import BondedPair, Motion
-from grus.verification.laws import Law, cohfrict_law, grus_law, jcfpm_law
+from grus.verification.law import Law
+from grus.verification.laws import cohfrict_law, grus_law, jcfpm_law
 from grus.verification.pair import PairScene
 from grus.verification.row import Row, compare
 
@@ -133,7 +133,7 @@ def _contact_again(name: str, law: Callable[[BondedPair], Law]) -> Row:
         None if informs else 1e-3,
         (
             "JCFpm counts the overlap of a new contact from where it is first seen, so up to one step of motion is "
-            "lost (here at most 2.7e-8 m)."
+            f"lost, here {back.overlap / STEPS:.1e} m."
             if informs
             else "An ordinary contact without bond in both."
         ),

@@ -38,7 +38,7 @@ SAME = (
 AFTERWARDS = {
     "CohFrict": "The whole run, in which most of the bonds break in a cascade after the peak.",
     "JCFpm": "After a break JCFpm keeps the shear force for one step and counts new contacts from where they are "
-    "first seen (rows of the pair above); the cascade after the peak turns that into other breaks.",
+    "first seen (rows of the pair above); in the cascade after the peak other bonds break.",
 }
 
 

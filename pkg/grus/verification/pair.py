@@ -2,26 +2,16 @@
 
 import numpy as np
 from scipy.spatial.transform import Rotation
-from yade import O, utils
-from yade.wrapper import (
-    Bo1_Sphere_Aabb,
-    ForceResetter,
-    InsertionSortCollider,
-    Interaction,
-    InteractionLoop,
-    NewtonIntegrator,
-)
+from yade import O
+from yade.wrapper import Interaction, NewtonIntegrator
 
 from grus.verification.formulas import Motion
-from grus.verification.laws import Law
+from grus.verification.law import Law
 
 AXES = {  # n, t and b of a pair; in the plane b is the axis of the plane
     False: np.array([[1, 2, 2], [2, 1, -2], [-2, 2, -1]]) / 3,
     True: np.array([[0.6, 0.8, 0.0], [-0.8, 0.6, 0.0], [0.0, 0.0, 1.0]]),
 }
-REACH = (
-    1.0001  # of the sum of the radii, so that elements that touch are seen whatever the rounding
-)
 STEP = 1e-6  # [s]
 
 
@@ -40,33 +30,23 @@ class PairScene:
         radii: tuple[float, float],
         plane: bool = False,
         swapped: bool = False,
-        overlap: float = 0.0,
     ) -> None:
         O.reset()
         self.law, self.radii = law, np.array(radii)
         self.normal, self.across, self.binormal = AXES[plane]
         O.materials.append(law.material)
-        centres = [np.zeros(3), (sum(radii) - overlap) * self.normal]
+        centres = [np.zeros(3), sum(radii) * self.normal]
         order = (1, 0) if swapped else (0, 1)
-        bodies = {i: utils.sphere(centres[i], radii[i], color=(1, 1, 1)) for i in order}
+        bodies = {i: law.sphere(centres[i], radii[i]) for i in order}
         self.ids = [0, 0]
         for i in order:
             bodies[i].state.blockedDOFs = "xyzXYZ"
-            if hasattr(bodies[i].state, "grain"):
-                bodies[i].state.grain = 0
             self.ids[i] = O.bodies.append(bodies[i])
-        law.geometry.interactionDetectionFactor = REACH
-        O.engines = [
-            NewtonIntegrator(warnNoForceReset=False),  # forces of the last step do not matter here
-            ForceResetter(),
-            InsertionSortCollider([Bo1_Sphere_Aabb(aabbEnlargeFactor=REACH)]),
-            InteractionLoop([law.geometry], [law.physics], [law.law]),
-            *law.engines,
-        ]
+        # What Newton makes of the forces of the last step does not matter: all motion is prescribed.
+        O.engines = [NewtonIntegrator(warnNoForceReset=False), *law.interaction_engines()]
         O.dt = STEP
         O.step()
         law.born()
-        law.geometry.interactionDetectionFactor = 1
 
     @property
     def interaction(self) -> Interaction:

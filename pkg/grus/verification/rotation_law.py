@@ -7,7 +7,8 @@ import numpy as np
 
 from grus.verification.elastic import load
 from grus.verification.formulas import BondedPair, Motion
-from grus.verification.laws import Law, cohfrict_law, grus_law
+from grus.verification.law import Law
+from grus.verification.laws import cohfrict_law, grus_law
 from grus.verification.other_laws import PART, RADIUS
 from grus.verification.pair import PairScene
 from grus.verification.row import Row, compare

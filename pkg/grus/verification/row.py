@@ -1,7 +1,7 @@
 """One line of the verification table."""
 
 from collections.abc import Iterable
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -57,6 +57,21 @@ def compare(
     deviation = difference / size if size > 0 else difference
     values = [float(v if v.ndim == 0 else np.linalg.norm(v)) for v in (expected, got)]
     return Row(part, case, quantity, unit, *values, float(deviation), tolerance, note)
+
+
+def at_most(
+    part: str,
+    case: str,
+    quantity: str,
+    unit: str,
+    expected: float,
+    got: float,
+    tolerance: float,
+    note: str,
+) -> Row:
+    """Row of a bound: only what `got` exceeds `expected` by is a deviation."""
+    row = compare(part, case, quantity, unit, expected, got, tolerance, note)
+    return replace(row, deviation=0.0) if got <= expected else row
 
 
 def worst(rows: Iterable[Row]) -> Row:

@@ -12,10 +12,15 @@ public:
     virtual ~FunctorHead() {}
     /// "Type1 Type2" for geometry functors; empty for the others.
     virtual std::string checkOrder() const { return ""; }
+
+protected:
+    void unused() {} // the name that the entries below share
 };
 
 /// Count entries that YADE never calls: its overloads with fewer or more parameters than the functor takes.
 template <class Below, class Tag, int count> class Unused : public Unused<Below, Tag, count - 1> {
+protected:
+    using Unused<Below, Tag, count - 1>::unused;
     virtual void unused(std::integral_constant<int, count>, Tag) {}
 };
 template <class Below, class Tag> class Unused<Below, Tag, 0> : public Below {};

@@ -1,0 +1,60 @@
+"""All cases of the verification, run in a process of their own."""
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+from grus.host.processes import one_thread_processes
+from grus.verification.breaking import breaking_rows
+from grus.verification.elastic import elastic_rows
+from grus.verification.energy import energy_rows
+from grus.verification.invariance import invariance_rows
+from grus.verification.other_laws import other_laws_rows
+from grus.verification.other_laws_block import Curves, block_curves, block_rows
+from grus.verification.rotation_law import rotation_law_rows
+from grus.verification.row import Row
+from grus.verification.time_step import time_step_rows
+from grus.verification.verification import Verification
+
+Progress = Callable[[int, int], None]
+CASES: tuple[Callable[[], Iterator[Row] | Curves], ...] = (
+    elastic_rows,
+    breaking_rows,
+    invariance_rows,
+    other_laws_rows,
+    rotation_law_rows,
+    block_curves,
+    time_step_rows,
+    energy_rows,
+)
+
+
+def verify(folder: str | Path | None = None, progress: Progress | None = None) -> Verification:
+    """Runs every case; with a `folder` the table and figures are written there.
+
+    The cases run one after the other in a single other process with one thread, so the scene of the caller stays as
+    it is and the numbers do not depend on the number of threads. `progress(done, of)` is called after each group of
+    cases.
+    """
+    rows: list[Row] = []
+    curves: Curves = {}
+    with one_thread_processes(1) as process:
+        runs = [process.submit(_run, case) for case in CASES]
+        for done, run in enumerate(runs):
+            if progress:
+                progress(done, len(runs))
+            found = run.result()
+            if isinstance(found, dict):
+                curves = found
+                found = block_rows(curves)
+            rows.extend(found)
+    if progress:
+        progress(len(runs), len(runs))
+    verification = Verification(tuple(rows), curves)
+    if folder is not None:
+        verification.write(folder)
+    return verification
+
+
+def _run(case: Callable[[], Iterator[Row] | Curves]) -> list[Row] | Curves:
+    found = case()
+    return found if isinstance(found, dict) else list(found)

@@ -1,0 +1,11 @@
+// All of the physics in one file, for clang-tidy.
+#include <physics/bond.hpp>
+#include <physics/contact.hpp>
+#include <physics/random.hpp>
+#include <physics/section.hpp>
+#include <physics/servo.hpp>
+#include <physics/stiffness.hpp>
+#include <physics/strength.hpp>
+#include <physics/timestep.hpp>
+#include <physics/transport.hpp>
+#include <physics/vector.hpp>
