@@ -18,4 +18,6 @@ def setup(app: Sphinx) -> dict[str, bool]:
     app.add_directive("keys", Keys)
     app.add_directive("options", Options)
     add_mathml(app)
+    # Every page is read anew each time: its tables may have changed, and warnings must not be told only once.
+    app.connect("env-get-outdated", lambda app, env, *changes: sorted(env.found_docs))
     return {"parallel_read_safe": False}  # YADE, which the tables ask, does not survive a fork

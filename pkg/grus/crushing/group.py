@@ -75,15 +75,11 @@ def crush_group(
     if waiting:
         with one_thread_processes(min(jobs, len(waiting))) as pool:
             runs = [pool.submit(_run, card, grain, store) for grain in waiting]
-            try:
-                for run in as_completed(runs):
-                    run.result()
-                    done += 1
-                    if progress:
-                        progress(done, grains)
-            except BaseException:
-                pool.shutdown(wait=False, cancel_futures=True)
-                raise
+            for run in as_completed(runs):
+                run.result()
+                done += 1
+                if progress:
+                    progress(done, grains)
     return GroupResult(card, tuple(store.load(grain) for grain in range(grains)))
 
 

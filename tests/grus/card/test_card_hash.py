@@ -25,7 +25,7 @@ def turned(table):
         {"bond.tensile_strength": "10 bar", "bond.friction_angle": "0 rad"},
         {"contact.friction_coefficient": 0.50, "bond.radius_ratio": 1},
         {"thickness": None, "seed": None, "bond.radius_ratio": None, "crush.damping": None},
-        {"crush.record_interval": 1e-4, "agglomerate.stamp_split": False},
+        {"crush.end_drop": 0.9, "agglomerate.stamp_split": False},
         {"crush.platen_friction": 0.5},
         {"bond.scatter": {"kind": "none"}},
         {"agglomerate.missing_fraction": -0.0},
