@@ -1,4 +1,4 @@
-"""Settings of the pages. Build them with: python3 -m sphinx -W -n docs docs/_build/html"""
+"""Settings of the pages, which scripts/docs builds."""
 
 import sys
 from pathlib import Path

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 namespace grus::physics {
 
@@ -12,6 +13,35 @@ inline double servoSpeed(double error, double stiffness, double dt, double relax
     if (stiffness <= 0)
         return error > 0 ? cap : error < 0 ? -cap : 0;
     return std::clamp(relaxation * error / (stiffness * dt), -cap, cap);
+}
+
+/// Inertial number [-] of a compression at `rate` [1/s] of grains of diameter `d` [m] and density [kg/m3] under the
+/// pressure `p` [Pa] (GDR MiDi 2004); quasi-static below about 1e-3.
+inline double inertialNumber(double rate, double d, double density, double p) {
+    return p > 0 ? std::abs(rate) * d * std::sqrt(density / p) : 0;
+}
+
+/// Limits within which a test counts as quasi-static.
+struct QuasiStatic {
+    double inertialNumber; ///< largest inertial number [-]
+    double kineticShare;   ///< largest kinetic over elastic energy [-]
+    double stressGradient; ///< largest difference of the stresses on both platens over their mean [-]
+};
+
+/// What a test shows at one moment, in the same terms, and the bonds broken since the last look.
+struct Calm {
+    QuasiStatic found;
+    int breaks;
+};
+
+/// Next speed limit [m/s]: back to `slow` while bonds break or a limit is passed, else `growth` times faster up to
+/// `fast`.
+inline double nextSpeedLimit(double now, double slow, double fast, double growth, const Calm& calm,
+                             const QuasiStatic& limits) {
+    const bool quiet = calm.breaks == 0 && calm.found.inertialNumber <= limits.inertialNumber &&
+                       calm.found.kineticShare <= limits.kineticShare &&
+                       calm.found.stressGradient <= limits.stressGradient;
+    return quiet ? std::min(fast, now * growth) : slow;
 }
 
 }
