@@ -1,9 +1,9 @@
 #include <grus/BondMat.hpp>
 
 #include <map>
-#include <stdexcept>
 
 #include <grus/BondState.hpp>
+#include <grus/require.hpp>
 
 namespace yade {
 
@@ -20,40 +20,32 @@ const Names<grus::physics::Scatter> scatterNames{{"none", grus::physics::Scatter
                                                  {"normal", grus::physics::Scatter::Normal},
                                                  {"weibull", grus::physics::Scatter::Weibull}};
 
-template <class Kind> void checkName(const char* key, const std::string& value, const Names<Kind>& names) {
-    if (names.count(value))
-        return;
+template <class Kind> void requireName(const std::string& key, const std::string& value, const Names<Kind>& names) {
     std::string allowed;
     for (const auto& name : names)
         allowed += (allowed.empty() ? "'" : ", '") + name.first + "'";
-    throw std::invalid_argument("BondMat." + std::string(key) + " = '" + value + "'; allowed: " + allowed);
-}
-
-void check(const char* key, Real value, bool good, const char* allowed) {
-    if (good)
-        return;
-    throw std::invalid_argument("BondMat." + std::string(key) + " = " + std::to_string(value) +
-                                "; allowed: " + allowed);
+    require(names.count(value) > 0, "BondMat." + key, "'" + value + "'", allowed);
 }
 
 }
 
 void BondMat::postLoad(BondMat&) {
-    checkName("bond", bond, bondNames);
-    checkName("bondStiffness", bondStiffness, stiffnessNames);
-    checkName("scatter", scatter, scatterNames);
-    check("bondKn", bondKn, bondKn >= 0, "0 or more");
-    check("bondKs", bondKs, bondKs >= 0, "0 or more");
-    check("bondRadiusRatio", bondRadiusRatio, bondRadiusRatio > 0, "more than 0");
-    check("momentContribution", momentContribution, momentContribution >= 0 && momentContribution <= 1, "0 to 1");
-    check("tensileStrength", tensileStrength, tensileStrength >= 0, "0 or more");
-    check("shearStrength", shearStrength, shearStrength >= 0, "0 or more");
-    check("bondFrictionAngle", bondFrictionAngle, bondFrictionAngle >= 0 && bondFrictionAngle < M_PI / 2,
-          "0 to below pi/2");
-    check("scatterParameter", scatterParameter, scatterParameter >= 0, "0 or more");
-    check("grainModulus", grainModulus, grainModulus >= 0, "0 or more");
-    check("grainReferenceDiameter", grainReferenceDiameter, grainReferenceDiameter >= 0, "0 or more");
-    check("thickness", thickness, thickness >= 0, "0 or more");
+    requireName("bond", bond, bondNames);
+    requireName("bondStiffness", bondStiffness, stiffnessNames);
+    requireName("scatter", scatter, scatterNames);
+    require(bondKn >= 0, "BondMat.bondKn", bondKn, "0 or more");
+    require(bondKs >= 0, "BondMat.bondKs", bondKs, "0 or more");
+    require(bondRadiusRatio > 0, "BondMat.bondRadiusRatio", bondRadiusRatio, "more than 0");
+    require(momentContribution >= 0 && momentContribution <= 1, "BondMat.momentContribution", momentContribution,
+            "0 to 1");
+    require(tensileStrength >= 0, "BondMat.tensileStrength", tensileStrength, "0 or more");
+    require(shearStrength >= 0, "BondMat.shearStrength", shearStrength, "0 or more");
+    require(bondFrictionAngle >= 0 && bondFrictionAngle < M_PI / 2, "BondMat.bondFrictionAngle", bondFrictionAngle,
+            "0 to below pi/2");
+    require(scatterParameter >= 0, "BondMat.scatterParameter", scatterParameter, "0 or more");
+    require(grainModulus >= 0, "BondMat.grainModulus", grainModulus, "0 or more");
+    require(grainReferenceDiameter >= 0, "BondMat.grainReferenceDiameter", grainReferenceDiameter, "0 or more");
+    require(thickness >= 0, "BondMat.thickness", thickness, "0 or more");
 }
 
 boost::shared_ptr<State> BondMat::newAssocState() const { return boost::shared_ptr<State>(new BondState); }

@@ -9,6 +9,7 @@
 
 #include <grus/BondMat.hpp>
 #include <grus/BondPhys.hpp>
+#include <grus/require.hpp>
 #include <physics/timestep.hpp>
 
 namespace yade {
@@ -64,6 +65,10 @@ Real BondTimeStepper::criticalStep(Scene* ncb) const {
             std::min(smallest, physics::criticalStep(stiffness[body->id], state.mass, inertia, state.blockedDOFs));
     }
     return smallest;
+}
+
+void BondTimeStepper::postLoad(BondTimeStepper&) {
+    require(safety > 0 && safety <= 1, "BondTimeStepper.safety", safety, "more than 0, at most 1");
 }
 
 void BondTimeStepper::computeTimeStep(Scene* ncb) {

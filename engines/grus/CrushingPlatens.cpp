@@ -1,11 +1,10 @@
 #include <grus/CrushingPlatens.hpp>
 
-#include <stdexcept>
-
 #include <core/Body.hpp>
 #include <core/Scene.hpp>
+#include <pkg/common/NormShearPhys.hpp>
 
-#include <grus/BondPhys.hpp>
+#include <grus/require.hpp>
 #include <grus/sceneEnergy.hpp>
 #include <physics/servo.hpp>
 
@@ -21,26 +20,19 @@ State& platen(int id, Scene* scene) {
     return *Body::byId(id, scene)->state;
 }
 
-void check(const char* key, Real value, bool good, const char* allowed) {
-    if (good)
-        return;
-    throw std::invalid_argument("CrushingPlatens." + std::string(key) + " = " + std::to_string(value) +
-                                "; allowed: " + allowed);
-}
-
 }
 
 void CrushingPlatens::postLoad(CrushingPlatens&) {
-    if (control != "speed" && control != "force")
-        throw std::invalid_argument("CrushingPlatens.control = '" + control + "'; allowed: 'force', 'speed'");
-    check("axis", axis, axis >= 0 && axis <= 2, "0, 1, 2");
-    check("speed", speed, speed >= 0, "0 or more");
-    check("forceRate", forceRate, forceRate >= 0, "0 or more");
-    check("relaxation", relaxation, relaxation > 0 && relaxation <= 1, "more than 0, at most 1");
-    check("peakDrop", peakDrop, peakDrop > 0 && peakDrop < 1, "between 0 and 1");
-    check("endDrop", endDrop, endDrop > 0 && endDrop <= 1, "more than 0, at most 1");
-    check("maxStrain", maxStrain, maxStrain > 0 && maxStrain < 1, "between 0 and 1");
-    check("recordInterval", recordInterval, recordInterval > 0, "more than 0");
+    require(control == "speed" || control == "force", "CrushingPlatens.control", "'" + control + "'",
+            "'force', 'speed'");
+    require(axis >= 0 && axis <= 2, "CrushingPlatens.axis", axis, "0, 1, 2");
+    require(speed >= 0, "CrushingPlatens.speed", speed, "0 or more");
+    require(forceRate >= 0, "CrushingPlatens.forceRate", forceRate, "0 or more");
+    require(relaxation > 0 && relaxation <= 1, "CrushingPlatens.relaxation", relaxation, "more than 0, at most 1");
+    require(peakDrop > 0 && peakDrop < 1, "CrushingPlatens.peakDrop", peakDrop, "between 0 and 1");
+    require(endDrop > 0 && endDrop <= 1, "CrushingPlatens.endDrop", endDrop, "more than 0, at most 1");
+    require(maxStrain > 0 && maxStrain < 1, "CrushingPlatens.maxStrain", maxStrain, "between 0 and 1");
+    require(recordInterval > 0, "CrushingPlatens.recordInterval", recordInterval, "more than 0");
 }
 
 void CrushingPlatens::action() {
@@ -104,8 +96,8 @@ Real CrushingPlatens::platenStiffness() const {
     Real sum = 0;
     for (const int id : {bottom, top})
         for (const auto& [other, interaction] : Body::byId(id, scene)->intrs)
-            if (interaction->isReal())
-                sum += static_cast<BondPhys*>(interaction->phys.get())->kn;
+            if (const auto* phys = dynamic_cast<const NormPhys*>(interaction->phys.get()))
+                sum += phys->kn;
     return sum / 4;
 }
 

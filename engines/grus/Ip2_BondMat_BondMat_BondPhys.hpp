@@ -19,7 +19,7 @@ public:
     YADE_CLASS_BASE_DOC_ATTRS(Ip2_BondMat_BondMat_BondPhys, IPhysFunctor,
         "Makes :yref:`BondPhys` from two :yref:`BondMat`. While :yref:`bonding<Ip2_BondMat_BondMat_BondPhys.bonding>` is on, two elements of one grain and one material that touch are bonded where they stand, without any force. Needs :yref:`ScGeom`.",
         ((bool, bonding, false, , "Bond the new contacts of this step. Switch on, run one step with an interactionDetectionFactor slightly above 1, switch off."))
-        ((Real, tolerance, 1e-3, , "Largest gap that is still bonded, over the smaller radius [-]."))
+        ((Real, tolerance, 1e-6, , "Largest gap that is still bonded, over the smaller radius [-]."))
     );
     // clang-format on
 

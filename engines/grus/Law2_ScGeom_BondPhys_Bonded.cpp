@@ -47,6 +47,8 @@ bool Law2_ScGeom_BondPhys_Bonded::go(boost::shared_ptr<IGeom>& ig, boost::shared
         contactBond(phys, motion, *I, geom.contactPoint);
     else
         frictionalContact(phys, motion);
+    if (!phys.bonded && overlap < 0 && geom.penetrationDepth < 0)
+        return false;
 
     phys.normalForce = (phys.contactNormal + phys.bondNormal) * normal;
     phys.shearForce = phys.contactShear + phys.bondShear;

@@ -43,7 +43,7 @@ struct BondStress {
     double normal = 0; ///< mean normal stress, compression positive
 };
 
-/// Stiffnesses from those of the section, normal and shear [N/m] (Potyondy & Cundall 2004, eq 16).
+/// Stiffnesses from those of the section, normal and shear [N/m] (Potyondy & Cundall 2004).
 inline BondStiffness bondStiffness(double kn, double ks, const Section& s) {
     return {kn, ks, kn * s.inertia / s.area, ks * s.polar / s.area};
 }

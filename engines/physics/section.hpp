@@ -1,4 +1,4 @@
-// Cross-section of a parallel bond (Potyondy & Cundall 2004, eqs 13 and 14).
+// Cross-section of a parallel bond (Potyondy & Cundall 2004).
 #pragma once
 
 namespace grus::physics {

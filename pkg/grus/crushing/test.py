@@ -66,6 +66,8 @@ class CrushingTest:
         self.bonds = bond(self.specimen, self.interactions)
         self.before = snapshot(self.specimen, self.ids)
         O.engines = self.interactions.list + [stepper, self.platens, newton]
+        # The stepper acts at round numbers of steps only, and bonding has taken the first.
+        O.dt = stepper.safety * stepper.critical()
 
     def _platens(self, axis: int) -> list[int]:
         """Walls that touch the lowest and the highest element."""
