@@ -1,9 +1,8 @@
 #include <grus/CrushingPlatens.hpp>
 
-#include <core/Body.hpp>
 #include <core/Scene.hpp>
-#include <pkg/common/NormShearPhys.hpp>
 
+#include <grus/platen.hpp>
 #include <grus/require.hpp>
 #include <grus/sceneEnergy.hpp>
 #include <physics/servo.hpp>
@@ -12,13 +11,7 @@ namespace yade {
 
 namespace {
 
-State& platen(int id, Scene* scene) {
-    const bool found = id >= 0 && id < static_cast<int>(scene->bodies->size()) && Body::byId(id, scene);
-    if (!found)
-        throw std::runtime_error("CrushingPlatens: no body with id " + std::to_string(id) +
-                                 "; set bottom and top to the walls' ids");
-    return *Body::byId(id, scene)->state;
-}
+constexpr const char* name = "CrushingPlatens";
 
 }
 
@@ -53,7 +46,7 @@ void CrushingPlatens::action() {
 
 void CrushingPlatens::begin() {
     startTime = scene->time;
-    lastPosition = {platen(bottom, scene).pos[axis], platen(top, scene).pos[axis]};
+    lastPosition = {platen(bottom, *scene, name).pos[axis], platen(top, *scene, name).pos[axis]};
     initialGap = lastPosition[1] - lastPosition[0];
     if (initialGap <= 0)
         throw std::runtime_error("CrushingPlatens: the top platen is not above the bottom platen");
@@ -61,7 +54,7 @@ void CrushingPlatens::begin() {
 
 void CrushingPlatens::measure() {
     scene->forces.sync();
-    const Vector2r position{platen(bottom, scene).pos[axis], platen(top, scene).pos[axis]};
+    const Vector2r position{platen(bottom, *scene, name).pos[axis], platen(top, *scene, name).pos[axis]};
     const Vector2r onPlatens{scene->forces.getForce(bottom)[axis], scene->forces.getForce(top)[axis]};
     work -= 0.5 * (onPlatens + lastForce).dot(position - lastPosition);
     force = 0.5 * (onPlatens[1] - onPlatens[0]);
@@ -87,18 +80,13 @@ void CrushingPlatens::drive() {
         const Real error = forceRate * (scene->time - startTime) - force;
         rate = grus::physics::servoSpeed(error, platenStiffness(), scene->dt, relaxation, speed);
     }
-    platen(bottom, scene).vel[axis] = rate / 2;
-    platen(top, scene).vel[axis] = -rate / 2;
+    platen(bottom, *scene, name).vel[axis] = rate / 2;
+    platen(top, *scene, name).vel[axis] = -rate / 2;
 }
 
 /// Force per closing if the grain itself were rigid: each platen moves half the closing against its own contacts.
 Real CrushingPlatens::platenStiffness() const {
-    Real sum = 0;
-    for (const int id : {bottom, top})
-        for (const auto& [other, interaction] : Body::byId(id, scene)->intrs)
-            if (const auto* phys = dynamic_cast<const NormPhys*>(interaction->phys.get()))
-                sum += phys->kn;
-    return sum / 4;
+    return (contactStiffness(bottom, *scene) + contactStiffness(top, *scene)) / 4;
 }
 
 void CrushingPlatens::record() {
@@ -119,8 +107,8 @@ void CrushingPlatens::record() {
 void CrushingPlatens::end(const std::string& why) {
     record();
     ended = why;
-    platen(bottom, scene).vel[axis] = 0;
-    platen(top, scene).vel[axis] = 0;
+    platen(bottom, *scene, name).vel[axis] = 0;
+    platen(top, *scene, name).vel[axis] = 0;
     scene->stopAtIter = scene->iter + 1;
 }
 

@@ -5,6 +5,7 @@ import json
 from pathlib import Path
 from typing import Any
 
+from grus.card.program import Stage
 from grus.card.pydantic_adapter import Section, keys
 from grus.card.quantity import Measure
 
@@ -20,9 +21,9 @@ def plain(section: Section) -> dict[str, Any]:
 def _plain(value: Any) -> Any:
     if isinstance(value, Section):
         return plain(value)
-    if isinstance(value, Measure):
+    if isinstance(value, (Measure, Stage)):
         return value.written()
-    return [list(point) for point in value] if isinstance(value, tuple) else value
+    return [_plain(item) for item in value] if isinstance(value, tuple) else value
 
 
 def content_hash(card: dict[str, Any]) -> str:

@@ -19,6 +19,7 @@ from grus.card.element import Element
 from grus.card.errors import CardError, Problem
 from grus.card.explain import explain
 from grus.card.interval import POSITIVE
+from grus.card.oedometer import Oedometer
 from grus.card.overrides import overridden
 from grus.card.pydantic_adapter import Section, key, problems_of
 from grus.card.quantity import Measure, Quantity
@@ -54,6 +55,9 @@ class Card(Section):
     bond: Bond = key(Table(Bond), "Cement between the clumps of a grain.")
     agglomerate: Agglomerate = key(Table(Agglomerate), "Outline of a grain, and its clumps.")
     crush: Crush = key(Table(Crush), "Crushing of a grain between two platens.")
+    oedometer: Oedometer | None = key(
+        Table(Oedometer), "Oedometer test.", default=None, default_text="none"
+    )
 
     _source: str = PrivateAttr("")
     _directory: Path = PrivateAttr(Path())

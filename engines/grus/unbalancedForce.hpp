@@ -1,0 +1,11 @@
+#pragma once
+
+#include <core/Scene.hpp>
+
+namespace yade {
+
+/// Mean resultant force on the bodies that can move over the mean force of the contacts [-]; 0 when nothing touches.
+/// Forces must be synced.
+Real unbalancedForce(Scene&);
+
+}
