@@ -55,10 +55,8 @@ def plot(found: dict) -> Figure:
             value, modulus, [modulus - low, high - modulus], fmt="o-", color=BLUE, capsize=3
         )
         axes.set_xlabel(knob)
-        axes.set_ylabel("Weibull modulus $m$ [–]")
         axes.set_ylim(bottom=0)
-        axes.label_outer()
-        axes.tick_params(labelbottom=True)
+    figure.supylabel("Weibull modulus $m$ [–], with 95 % interval", fontsize=10)
     return figure
 
 
