@@ -1,0 +1,161 @@
+"""The oedometer test of a prepared specimen in YADE."""
+
+from math import atan
+
+import numpy as np
+from yade import O, utils
+from yade.wrapper import BondLedger, BondMat, BondTimeStepper, NewtonIntegrator, OedometerServo
+
+from grus.card import Card
+from grus.errors import GrusError
+from grus.preparation import PreparedSpecimen
+from grus.record import Record
+from grus.scene import InteractionEngines, Snapshot, bond, grain_material, insert, snapshot
+
+UNITS = {
+    "iter": "1",
+    "time": "s",
+    "stage": "1",
+    "height": "m",
+    "top_stress": "Pa",
+    "bottom_stress": "Pa",
+    "side_stress": "Pa",
+    "tension_breaks": "1",
+    "shear_breaks": "1",
+    "unbalanced": "1",
+    "inertial_number": "1",
+    "speed_limit": "m/s",
+    "work": "J",
+    "elastic_energy": "J",
+    "kinetic_energy": "J",
+    "released_energy": "J",
+    "sliding_work": "J",
+    "damped_energy": "J",
+}
+
+
+class OedometerTest:
+    """A prepared specimen between platens in a box with fixed sides, in the current YADE scene, which is emptied first.
+
+    After construction the grains are bonded and the platens stand where the preparation left them;
+    `stage(stress)` loads to a stress, `record()` and `snapshot()` take what there is.
+    """
+
+    def __init__(self, card: Card, prepared: PreparedSpecimen) -> None:
+        if card.oedometer is None:
+            raise GrusError(f"{card.source}: oedometer is missing; allowed: a table [oedometer] with stages")
+        self.card, self.prepared = card, prepared
+        self.specimen = prepared.specimen
+        O.reset()
+        O.trackEnergy = True
+        axis = card.dimension - 1
+        walls = self._walls(axis)
+        self.ids = insert(self.specimen, grain_material(card))
+        interactions = InteractionEngines()
+        test = card.oedometer
+        servo = OedometerServo(
+            bottom=walls[axis][0],
+            top=walls[axis][1],
+            sides=[wall for other in range(axis) for wall in walls[other]],
+            axis=axis,
+            solidVolume=prepared.outline_volume,
+            ledger=interactions.ledger,
+            maxSpeed=test.speed,
+            fastSpeed=test.fast_speed or 0,
+            tolerance=test.tolerance,
+            unbalancedLimit=test.unbalanced_limit,
+            quietSteps=test.quiet_steps,
+            inertialLimit=test.inertial_limit,
+            recordStrain=test.record_strain,
+            recordStress=test.record_stress,
+            grainDiameter=float(self.specimen.grain_diameter.mean()),
+            grainDensity=card.element.density,
+            **self._areas(axis),
+        )
+        stepper = BondTimeStepper(safety=test.time_step_safety)
+        newton = NewtonIntegrator(damping=test.damping, gravity=(0, 0, 0))
+        O.engines = interactions.list + [newton]
+        self.bonds = bond(self.specimen, interactions)
+        O.engines = interactions.list + [stepper, servo, newton]
+        O.dt = stepper.safety * stepper.critical()
+
+    def _walls(self, axis: int) -> list[tuple[int, int]]:
+        """Ids of the two walls across each axis."""
+        test, element = self.card.oedometer, grain_material(self.card)
+        own = element.kn if element.kn >= 0 else 2 * element.young * self.card.element.radius
+        stiffness = own if test.wall_stiffness is None else test.wall_stiffness
+        O.materials.append(
+            BondMat(
+                label="wall",
+                kn=stiffness,
+                ks=stiffness,
+                frictionAngle=atan(test.wall_friction),
+                thickness=self.card.thickness or 0,
+            )
+        )
+        ids = []
+        for across in range(axis + 1):
+            ends = (self.prepared.lower[across], self.prepared.upper[across])
+            walls = [utils.wall(float(end), axis=across, material="wall") for end in ends]
+            for wall in walls:
+                # Otherwise NewtonIntegrator books damping of their prescribed motion as lost energy.
+                wall.state.isDamped = False
+            ids.append(tuple(O.bodies.append(walls)))
+        return ids
+
+    def _areas(self, axis: int) -> dict[str, float]:
+        size = np.subtract(self.prepared.upper, self.prepared.lower)
+        if axis == 1:
+            return {"area": size[0] * self.card.thickness, "sideBreadth": self.card.thickness}
+        return {"area": size[0] * size[1], "sideBreadth": (size[0] + size[1]) / 2}
+
+    def stage(self, stress: float) -> None:
+        """Goes to an axial stress [Pa] and waits until the specimen is at rest there."""
+        servo().begin(stress)
+        O.run(-1, True)
+
+
+def servo() -> OedometerServo:
+    """The servo of the current scene, also of one that was loaded."""
+    return engine(OedometerServo)
+
+
+def ledger() -> BondLedger:
+    """The ledger of the current scene."""
+    return engine(BondLedger)
+
+
+def engine(kind: type) -> object:
+    """The engine of that class in the current scene."""
+    return next(one for one in O.engines if isinstance(one, kind))
+
+
+def record() -> Record:
+    """What the servo of the current scene has recorded so far."""
+    s = servo()
+    columns = (
+        s.recordIter,
+        s.recordTime,
+        s.recordStage,
+        s.recordHeight,
+        s.recordTop,
+        s.recordBottom,
+        s.recordSide,
+        s.recordTension,
+        s.recordShear,
+        s.recordUnbalanced,
+        s.recordInertial,
+        s.recordSpeed,
+        s.recordWork,
+        s.recordElastic,
+        s.recordKinetic,
+        s.recordReleased,
+        s.recordSliding,
+        s.recordDamped,
+    )
+    return Record(dict(zip(UNITS, map(np.array, columns))), UNITS)
+
+
+def state(specimen, ids: list[int]) -> Snapshot:
+    """Elements and bonds of the current scene."""
+    return snapshot(specimen, ids)
