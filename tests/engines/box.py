@@ -10,7 +10,7 @@ from grus.specimen import Specimen, join
 from grus.specimen.from_card import grain_from_card
 
 
-def rows(model, columns: int = 3, count: int = 3) -> Specimen:
+def rows(model, columns: int = 1, count: int = 3) -> Specimen:
     """Grains on a square lattice, each touching the next one's outline."""
     d = 0.97 * model.agglomerate.diameter  # elements end short of the outline
     grains = [grain_from_card(model, i) for i in range(columns * count)]
@@ -47,7 +47,7 @@ class Box:
             "sideBreadth": 1.0,
             "solidVolume": float(np.pi * (self.specimen.grain_diameter**2).sum() / 4),
             "ledger": interactions.ledger,
-            "maxSpeed": 0.1,
+            "maxSpeed": 0.3,
             "grainDiameter": self.model.agglomerate.diameter,
             "grainDensity": self.model.element.density,
             "quietSteps": 200,

@@ -21,8 +21,10 @@ from grus.card.explain import explain
 from grus.card.interval import POSITIVE
 from grus.card.oedometer import Oedometer
 from grus.card.overrides import overridden
+from grus.card.preparation import Preparation
 from grus.card.pydantic_adapter import Section, key, problems_of
 from grus.card.quantity import Measure, Quantity
+from grus.card.specimen import Specimen
 from grus.card.table import Table
 from grus.card.unknown import schema, split
 from grus.card.values import Choice, Text, Whole
@@ -55,6 +57,15 @@ class Card(Section):
     bond: Bond = key(Table(Bond), "Cement between the clumps of a grain.")
     agglomerate: Agglomerate = key(Table(Agglomerate), "Outline of a grain, and its clumps.")
     crush: Crush = key(Table(Crush), "Crushing of a grain between two platens.")
+    specimen: Specimen | None = key(
+        Table(Specimen), "Grains in the box of an oedometer.", default=None, default_text="none"
+    )
+    preparation: Preparation | None = key(
+        Table(Preparation),
+        "How that specimen comes to be.",
+        default=None,
+        default_text="all defaults where there is a specimen, else none",
+    )
     oedometer: Oedometer | None = key(
         Table(Oedometer), "Oedometer test.", default=None, default_text="none"
     )

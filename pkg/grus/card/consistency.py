@@ -6,6 +6,7 @@ from typing import Any
 
 from grus.card.agglomerate import OUTLINES
 from grus.card.errors import Problem
+from grus.card.specimen_consistency import specimen_inconsistencies
 
 MOST_ELEMENTS = 1e6  # of one grain
 
@@ -19,6 +20,7 @@ def inconsistencies(card: Any) -> Iterator[Problem]:
     if card.dimension == 3 and card.thickness is not None:
         yield Problem("dimension 3 has no use for it", "leave the key out", "thickness")
     yield from _size(card.dimension, card.element.radius, card.agglomerate.diameter)
+    yield from specimen_inconsistencies(card)
 
 
 def _size(dimension: int, radius: float, diameter: float) -> Iterator[Problem]:

@@ -21,6 +21,8 @@ def with_defaults(card: Mapping[str, Any]) -> dict[str, Any]:
     contact, crush = card.get("contact"), card.get("crush")
     if isinstance(contact, Mapping) and isinstance(crush, Mapping):
         filled["crush"] = {**_friction(contact), **crush}
+    if "specimen" in card:
+        filled.setdefault("preparation", {})
     return filled
 
 

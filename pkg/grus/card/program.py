@@ -63,7 +63,9 @@ class Program:
         stage = Stage(kind, stress=STRESS.read(stress))
         last = next((s.stress for s in reversed(before) if s.stress is not None), 0.0)
         if kind == "load" and not stage.stress > last:
-            raise Problem(f"loads to less than the {last:g} Pa before", "a higher stress, or unload")
+            raise Problem(
+                f"loads to less than the {last:g} Pa before", "a higher stress, or unload"
+            )
         if kind == "unload" and not stage.stress < last:
             raise Problem(f"unloads to more than the {last:g} Pa before", "a lower stress, or load")
         return stage

@@ -3,7 +3,6 @@
 import json
 import os
 from collections.abc import Callable
-from concurrent.futures import as_completed
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -13,8 +12,8 @@ from grus.card import Card
 from grus.crushing.result import CrushingResult
 from grus.crushing.test import crush
 from grus.errors import GrusError
-from grus.files import write_text
-from grus.host.processes import one_thread_processes
+from grus.files import discard_partial, write_text
+from grus.host.processes import run_in_processes
 from grus.statistics import WeibullFit, fit_weibull
 from grus.version import __version__
 
@@ -70,16 +69,18 @@ def crush_group(
     store = _Store(card, Path(folder))
     waiting = [grain for grain in range(grains) if not store.has(grain)]
     done = grains - len(waiting)
+
+    def count(*_: object) -> None:
+        nonlocal done
+        done += 1
+        if progress:
+            progress(done, grains)
+
     if progress:
         progress(done, grains)
     if waiting:
-        with one_thread_processes(min(jobs, len(waiting))) as pool:
-            runs = [pool.submit(_run, card, grain, store) for grain in waiting]
-            for run in as_completed(runs):
-                run.result()
-                done += 1
-                if progress:
-                    progress(done, grains)
+        calls = [(card, grain, store) for grain in waiting]
+        run_in_processes(_run, calls, min(jobs, len(waiting)), count)
     return GroupResult(card, tuple(store.load(grain) for grain in range(grains)))
 
 
@@ -100,6 +101,7 @@ class _Store:
                     f"{folder}: holds results of another card or version; allowed: an empty folder, or the same card"
                 )
         self.folder.mkdir(parents=True, exist_ok=True)
+        discard_partial(self.folder)
         write_text(owner, json.dumps({"key": self.key, "card": card.to_dict()}, indent=1))
 
     def path(self, grain: int) -> Path:

@@ -72,7 +72,9 @@ class Grading:
             sieves = sieve_series(sizes.min(), sizes.max())
         sieves = np.asarray(sieves, dtype=float)
         largest = sizes.max()
-        require(largest <= sieves[-1], "largest sieve", sieves[-1], f"at least {largest} m, a grain")
+        require(
+            largest <= sieves[-1], "largest sieve", sieves[-1], f"at least {largest} m, a grain"
+        )
         order = np.argsort(sizes, kind="stable")
         below = np.concatenate([[0.0], np.cumsum(masses[order])])
         below = below[np.searchsorted(sizes[order], sieves, side="right")]

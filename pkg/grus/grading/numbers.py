@@ -9,10 +9,28 @@ UNIT_MEASURE = {2: np.pi / 4, 3: np.pi / 6}
 """Area of the circle and volume of the sphere of diameter 1."""
 
 
+def mass_moments(grading: Grading, power: int) -> np.ndarray:
+    """Integrals (k - 1,) of d^power over the mass between the sieves, of total mass 1.
+
+    Raises GrusError when something passes the smallest sieve.
+    """
+    open_end = grading.passing[0]
+    require(
+        open_end == 0, "passing of the smallest sieve", open_end, "0 %, for a sum over all grains"
+    )
+    mass = grading.retained[1:] / 100
+    if power == 0:
+        return mass
+    logs = np.log(grading.sizes)
+    powers = np.exp(power * logs)
+    return mass * np.diff(powers) / (power * np.diff(logs))
+
+
 def rms_diameter(grading: Grading, dimension: int) -> float:
     """Root of the mean square of the diameters by number [m], of discs (2) or spheres (3)."""
-    square = _moment(grading, 2 - dimension) / _moment(grading, -dimension)
-    return float(np.sqrt(square.sum()) if dimension == 2 else np.sqrt(square))
+    require(dimension in UNIT_MEASURE, "dimension", dimension, "2 or 3")
+    squares, numbers = (mass_moments(grading, power).sum() for power in (2 - dimension, -dimension))
+    return float(np.sqrt(squares / numbers))
 
 
 def sample_diameters(
@@ -37,37 +55,25 @@ def sample_diameters(
     measure is given and makes a grain or more.
     """
     require((count is None) != (measure is None), "count, measure", (count, measure), "one of both")
-    number = _numbers(grading, dimension)
+    require(dimension in UNIT_MEASURE, "dimension", dimension, "2 or 3")
+    number = mass_moments(grading, -dimension)
     if count is None:
         require_positive("measure", measure, f"m{dimension}")
         mean = UNIT_MEASURE[dimension] / number.sum()
         count = int(round(measure / mean))
-        require(count >= 1, "measure", measure, f"enough for one mean grain, {mean:.4g} m{dimension}")
+        require(
+            count >= 1, "measure", measure, f"enough for one mean grain, {mean:.4g} m{dimension}"
+        )
     require(count >= 1 and count == int(count), "count", count, "a whole number, at least 1")
     count = int(count)
-    below = np.concatenate([[0.0], np.cumsum(number)]) / number.sum()
+    below = np.concatenate([[0.0], np.cumsum(number)])
+    below /= below[-1]
     place = (np.arange(count) + generator.random(count)) / count
-    step = np.clip(np.searchsorted(below, place, side="right") - 1, 0, len(number) - 1)
-    share = np.clip((place - below[step]) / (below[step + 1] - below[step]), 0.0, 1.0)
+    place = np.minimum(place, np.nextafter(1.0, 0.0))  # the sum above may round to 1
+    step = np.searchsorted(below, place, side="right") - 1
+    share = (place - below[step]) / (below[step + 1] - below[step])
     left, right = grading.sizes[step], grading.sizes[step + 1]
-    rest = 1 - share * -np.expm1(-dimension * np.log(right / left))
-    diameter = np.clip(left * rest ** (-1 / dimension), left, right)
+    # d^-dimension falls evenly over the step
+    power = 1 + share * np.expm1(-dimension * np.log(right / left))
+    diameter = np.clip(left * power ** (-1 / dimension), left, right)
     return diameter[np.argsort(generator.random(count), kind="stable")]
-
-
-def _numbers(grading: Grading, dimension: int) -> np.ndarray:
-    """Number (k - 1,) of grains between the sieves per total d^dimension of all grains."""
-    require(dimension in UNIT_MEASURE, "dimension", dimension, "2 or 3")
-    return _moments(grading, -dimension)
-
-
-def _moments(grading: Grading, power: int) -> np.ndarray:
-    """Integrals (k - 1,) of d^power over the mass between the sieves, of total mass 1."""
-    open_end = grading.passing[0]
-    require(open_end == 0, "passing of the smallest sieve", open_end, "0 %, to count the grains")
-    mass = grading.retained[1:] / 100
-    if power == 0:
-        return mass
-    logs = np.log(grading.sizes)
-    powers = np.exp(power * logs)
-    return mass * np.diff(powers) / (power * np.diff(logs))

@@ -1,31 +1,52 @@
-"""Other processes that load YADE for themselves, each with one thread."""
+"""Work in other processes that load YADE for themselves, each with one thread."""
 
 import os
+import signal
 import sys
-from collections.abc import Iterator
-from concurrent.futures import ProcessPoolExecutor
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor, as_completed
 from contextlib import contextmanager
-from multiprocessing import get_context
+from multiprocessing import active_children, get_context
+
+
+def run_in_processes(
+    function: Callable,
+    calls: Sequence[tuple],
+    count: int,
+    done: Callable[[int, object], None],
+) -> None:
+    """Runs `function(*call)` for each of `calls`, `count` at a time; `done(index, result)` is called as each ends.
+
+    function: of a module of Grus, since the processes know no other. What is raised, by the function, by `done` or by
+    Ctrl-C, ends the processes at once and is passed on.
+    """
+    others = set(active_children())
+    with _surroundings(), ProcessPoolExecutor(count, mp_context=get_context("spawn")) as pool:
+        try:
+            with _ignored_interrupts():
+                runs = {pool.submit(function, *call): index for index, call in enumerate(calls)}
+            for run in as_completed(runs):
+                done(runs[run], run.result())
+        except BaseException:
+            pool.shutdown(wait=False, cancel_futures=True)
+            for process in set(active_children()) - others:
+                process.terminate()
+            raise
 
 
 @contextmanager
-def one_thread_processes(count: int) -> Iterator[ProcessPoolExecutor]:
-    """Gives a pool of `count` processes; when the block is left by an exception, waiting work is dropped."""
-    # YADE keeps one scene per process and threads of its own: a fork of a process that has loaded it may hang.
-    # OpenMP reads its variable while the new process loads it, so it must be in the environment before.
+def _surroundings() -> Iterator[None]:
+    """What a new process finds: one thread, and no main file."""
+    # YADE keeps one scene per process and threads of its own: a fork of a process that has loaded it may hang. OpenMP
+    # reads its variable while the new process loads it, so it must be in the environment before.
     before = os.environ.get("OMP_NUM_THREADS")
     os.environ["OMP_NUM_THREADS"] = "1"
-    # A new process would run the main file again, which inside `yade` is YADE's program itself. What it is given to do
-    # comes from Grus's modules, so it needs no main file.
+    # A new process would run the main file again, which inside `yade` is YADE's program itself.
     main = vars(sys.modules["__main__"])
     file = main.pop("__file__", None)
     try:
-        with ProcessPoolExecutor(count, mp_context=get_context("spawn")) as pool:
-            try:
-                yield pool
-            except BaseException:
-                pool.shutdown(wait=False, cancel_futures=True)
-                raise
+        yield
     finally:
         if file is not None:
             main["__file__"] = file
@@ -33,3 +54,16 @@ def one_thread_processes(count: int) -> Iterator[ProcessPoolExecutor]:
             del os.environ["OMP_NUM_THREADS"]
         else:
             os.environ["OMP_NUM_THREADS"] = before
+
+
+@contextmanager
+def _ignored_interrupts() -> Iterator[None]:
+    """Processes that are started meanwhile never see Ctrl-C: the one that started them ends them."""
+    if threading.current_thread() is not threading.main_thread():
+        yield  # only the main thread may set handlers
+        return
+    handler = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, handler)

@@ -43,7 +43,9 @@ class OedometerTest:
 
     def __init__(self, card: Card, prepared: PreparedSpecimen) -> None:
         if card.oedometer is None:
-            raise GrusError(f"{card.source}: oedometer is missing; allowed: a table [oedometer] with stages")
+            raise GrusError(
+                f"{card.source}: oedometer is missing; allowed: a table [oedometer] with stages"
+            )
         self.card, self.prepared = card, prepared
         self.specimen = prepared.specimen
         O.reset()

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from grus.host.processes import one_thread_processes
+from grus.host.processes import run_in_processes
 from grus.verification.breaking import breaking_rows
 from grus.verification.elastic import elastic_rows
 from grus.verification.energy import energy_rows
@@ -35,20 +35,24 @@ def verify(folder: str | Path | None = None, progress: Progress | None = None) -
     it is and the numbers do not depend on the number of threads. `progress(done, of)` is called after each group of
     cases.
     """
+    found: dict[int, list[Row] | Curves] = {}
+
+    def keep(index: int, result: list[Row] | Curves) -> None:
+        found[index] = result
+        if progress:
+            progress(len(found), len(CASES))
+
+    if progress:
+        progress(0, len(CASES))
+    run_in_processes(_run, [(case,) for case in CASES], 1, keep)
     rows: list[Row] = []
     curves: Curves = {}
-    with one_thread_processes(1) as process:
-        runs = [process.submit(_run, case) for case in CASES]
-        for done, run in enumerate(runs):
-            if progress:
-                progress(done, len(runs))
-            found = run.result()
-            if isinstance(found, dict):
-                curves = found
-                found = block_rows(curves)
-            rows.extend(found)
-    if progress:
-        progress(len(runs), len(runs))
+    for index in range(len(CASES)):
+        result = found[index]
+        if isinstance(result, dict):
+            curves = result
+            result = block_rows(curves)
+        rows.extend(result)
     verification = Verification(tuple(rows), curves)
     if folder is not None:
         verification.write(folder)

@@ -1,0 +1,39 @@
+"""The readings of a compression test that tell of yield: those of first loading."""
+
+import numpy as np
+
+from grus.specimen.require import require
+
+FEWEST = 7
+"""Stress levels without which no break of a line is looked for."""
+
+
+def first_loading(stress: np.ndarray) -> np.ndarray:
+    """Mask (n,) of the readings at a stress (n,) [Pa] above zero and above all before.
+
+    Unloading, reloading and the creep of holds drop out.
+    """
+    before = np.maximum.accumulate(np.concatenate([[0.0], stress[:-1]]))
+    return np.asarray(stress) > before
+
+
+def loading_curve(
+    stress: np.ndarray, name: str, value: np.ndarray, seating: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """log10 of the stress / 1 Pa, and the value, of the readings of first loading from `seating` on.
+
+    stress [Pa], value: (n,) in the order of the test. name: key of the value, for messages.
+    Raises GrusError for columns that are no equal lists of finite numbers, and for fewer than
+    seven readings that are left.
+    """
+    stress, value = np.asarray(stress, dtype=float), np.asarray(value, dtype=float)
+    require(stress.ndim == 1, "shape of stress", stress.shape, "one column")
+    require(value.shape == stress.shape, f"shape of {name}", value.shape, f"{stress.shape}")
+    for key, column in (("stress", stress), (name, value)):
+        bad = np.flatnonzero(~np.isfinite(column))
+        require(not len(bad), key, f"{column[bad[:1]]} at index {bad[:1]}", "finite")
+    require(0 <= seating < np.inf, "seating", seating, "finite and >= 0 Pa")
+    used = first_loading(stress) & (stress >= seating)
+    count = int(used.sum())
+    require(count >= FEWEST, "readings of first loading", count, f"at least {FEWEST}")
+    return np.log10(stress[used]), value[used]

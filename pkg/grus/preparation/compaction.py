@@ -1,0 +1,159 @@
+"""Compaction: unbreakable grains are pressed together until they rest at the void ratio that is asked for."""
+
+from dataclasses import replace
+from math import atan
+
+import numpy as np
+from yade import O
+from yade.wrapper import BondMat
+
+from grus.card import Card
+from grus.preparation.exo import solid_fraction
+from grus.preparation.press import QUIET, Press, element_stiffness
+from grus.preparation.rigid import fit_rigid
+from grus.preparation.stream import Step, stream
+from grus.preparation.walls import wall_box
+from grus.scene import grain_material
+from grus.specimen import Specimen
+
+FINE = 0.1
+"""Share of the tolerance by which the void ratio may change between two looks when it is close."""
+NEAR = 0.04
+"""Distance from the void ratio asked for at which the platens slow down."""
+ROUGH = 0.02
+"""Unbalanced force at which soft grains count as resting; nothing is made of that state."""
+OPENING = 10
+"""Way by which the platens open to let go of the overlaps, in overlaps."""
+RELEASE = 400
+"""Time steps in which they open."""
+TAPS = 30
+FIRST_TAP, TAP_GROWTH = 0.05, 1.15
+"""Speed of the grains in the first tap, over that of sound in a powder, root(stress / density), and its growth."""
+CYCLES = 12
+ENOUGH = 0.6
+"""Share of the tolerance within which the void ratio is met; the rest is room for the seating."""
+
+
+class Compaction:
+    """Grains that cannot break or bend, each one rigid clump, with soft contacts at first.
+
+    parts: the grains, joined, each at the place of its exo-sphere; size: of the box [m]; attempt: number of the packing.
+    """
+
+    def __init__(self, card: Card, parts: Specimen, size: np.ndarray, attempt: int) -> None:
+        self.card, self.grains = card, parts
+        self.final = element_stiffness(grain_material(card), card.element.radius)
+        self.soft = min(self.final, soft_stiffness(card, parts))
+        self.taps = stream(card.seed, Step.TAPS, attempt)
+        material = BondMat(
+            label="grain",
+            density=card.element.density,
+            kn=self.soft,
+            ks=self.soft,
+            thickness=card.thickness or 0,
+            frictionAngle=atan(card.contact.friction_coefficient),
+        )
+        corners = np.array([np.zeros(len(size)), size])
+        rigid = replace(parts, clump=parts.grain)
+        self.press = Press(card, rigid, corners, material, card.preparation.compaction_speed)
+
+    def run(self) -> tuple[float, float]:
+        """Compacts; returns the void ratios at which the grains first came to rest, and at last.
+
+        The platens close on grains with the card's friction. While they rest at a larger void ratio than asked for,
+        friction is taken from them (down to `preparation.friction`), and if that is not enough they are tapped, until
+        the void ratio is met. Then friction is given back, and contacts get their final stiffness. The small way that
+        the platens still go until all rest is measured, and allowed for in the next cycle if it was too short.
+        """
+        press, target = self.press, self.card.specimen.void_ratio
+        enough = target + ENOUGH * self.card.preparation.void_ratio_tolerance
+        press.expect(ROUGH, QUIET // 5)
+        press.to_rest(target + NEAR)
+        self._slow_down()
+        resting, stop, first = press.to_rest(target), target, None
+        for _ in range(CYCLES):
+            dense = True
+            if resting and press.void_ratio > enough:
+                dense = self._densify(stop)
+            before = press.void_ratio
+            after = self._settle()
+            first = after if first is None else first
+            if after <= enough or not dense:
+                break
+            stop = min(target + max(before - after, 0), after)
+            self._soften()
+            resting = True
+        return first, after
+
+    def result(self) -> tuple[Specimen, np.ndarray]:
+        """The grains as they were made, clumps and all, where they lie now; corners (2, dimension) of the box [m]."""
+        placed = fit_rigid(self.grains, self.press.positions())
+        return replace(self.grains, position=placed), np.array(wall_box(self.press.walls))
+
+    def _densify(self, stop: float) -> bool:
+        """Takes friction from the grains, then taps them harder and harder; whether the void ratio falls to `stop`."""
+        p = self.card.preparation
+        self.press.set_friction(p.friction)
+        resting = self.press.to_rest(stop)
+        speed = FIRST_TAP * (p.seating_stress / self.card.element.density) ** 0.5
+        for _ in range(TAPS):
+            if not resting:
+                return True
+            self._tap(speed)
+            speed *= TAP_GROWTH
+            resting = self.press.to_rest(stop)
+        return not resting
+
+    def _tap(self, speed: float) -> None:
+        """Gives every grain a velocity at random, up to `speed` [m/s] along each axis."""
+        dimension = self.card.dimension
+        for grain in self.press.movable():
+            kick = np.zeros(3)
+            kick[:dimension] = speed * (2 * self.taps.random(dimension) - 1)
+            grain.state.vel = tuple(kick.tolist())
+
+    def _settle(self) -> float:
+        """Opens the platens until overlaps are gone, then closes them on hard, rough grains; the void ratio at rest.
+
+        Hardening contacts as they are would lock stress between the sides.
+        """
+        press, p = self.press, self.card.preparation
+        press.set_friction(p.friction)
+        overlap = p.compaction_overlap * self.card.element.radius
+        press.open(OPENING * overlap, RELEASE)
+        press.set_stiffness(self.final)
+        press.set_friction(self.card.contact.friction_coefficient)
+        press.expect(p.unbalanced_limit, QUIET)
+        press.to_rest()
+        return press.void_ratio
+
+    def _soften(self) -> None:
+        self.press.set_stiffness(self.soft)
+        self.press.expect(ROUGH, QUIET // 5)
+
+    def _slow_down(self) -> None:
+        """Lets the void ratio change by a small share of its tolerance between two looks."""
+        lower, upper = wall_box(self.press.walls)
+        p = self.card.preparation
+        change = FINE * p.void_ratio_tolerance / (1 + self.card.specimen.void_ratio)
+        speed = change * float(upper[-1] - lower[-1]) / (2 * self.press.servo.lookInterval * O.dt)
+        self.press.servo.maxSpeed = min(p.compaction_speed, speed)
+
+
+def soft_stiffness(card: Card, grains: Specimen) -> float:
+    """Element stiffness [N/m] with which grains overlap by `preparation.compaction_overlap` under the seating stress.
+
+    The mean contact force is taken as the stress times the square of the mean diameter, in the plane times diameter
+    and thickness; a contact is two elements in series.
+    """
+    p = card.preparation
+    diameter = float(grains.grain_diameter.mean())
+    area = diameter * (card.thickness if card.dimension == 2 else diameter)
+    return 2 * p.seating_stress * area / (p.compaction_overlap * card.element.radius)
+
+
+def start_box(card: Card, exo_radius: np.ndarray, base: np.ndarray) -> np.ndarray:
+    """Size (dimension,) [m] of the box in which exo-spheres fill the share that the card says."""
+    unit = np.pi if card.dimension == 2 else 4 / 3 * np.pi
+    volume = unit * float((exo_radius**card.dimension).sum()) / solid_fraction(card)
+    return np.append(base, volume / base.prod())

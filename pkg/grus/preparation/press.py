@@ -1,0 +1,150 @@
+"""Grains between walls under a servo: what compaction and seating have in common."""
+
+from math import atan, prod
+
+import numpy as np
+from yade import O
+from yade.wrapper import BondMat, BondTimeStepper, NewtonIntegrator, OedometerServo
+
+from grus.card import Card
+from grus.errors import GrusError
+from grus.preparation.prepared import outline_volume
+from grus.preparation.walls import add_walls, wall_box
+from grus.scene import InteractionEngines, insert
+from grus.specimen import Specimen
+
+LOOK = 50
+"""Time steps between two looks at the void ratio and at the unbalanced force."""
+QUIET = 500
+"""Time steps at rest in a row that count as rest."""
+STEPPING = 500
+"""Time steps between two updates of the time step."""
+MOST_STEPS = 1_000_000
+
+
+class Press:
+    """A specimen in a box of frictionless walls as stiff as its elements, in the current YADE scene, emptied first.
+
+    The platens are driven by an OedometerServo. Nothing is bonded unless the caller does it.
+    """
+
+    def __init__(
+        self, card: Card, specimen: Specimen, corners: np.ndarray, material: BondMat, speed: float
+    ) -> None:
+        p = card.preparation
+        self.card, self.specimen, self.material = card, specimen, material
+        O.reset()
+        stiffness = element_stiffness(material, card.element.radius)
+        walls = BondMat(label="wall", kn=stiffness, ks=0, thickness=card.thickness or 0)
+        walls.frictionAngle = 0
+        self.walls = add_walls(*corners, walls)
+        self.ids = insert(specimen, material)
+        self.interactions = InteractionEngines()
+        breadth = np.subtract(corners[1], corners[0])[:-1]
+        plane = card.dimension == 2
+        self.servo = OedometerServo(
+            bottom=self.walls[-1][0],
+            top=self.walls[-1][1],
+            sides=[wall for pair in self.walls[:-1] for wall in pair],
+            axis=card.dimension - 1,
+            area=float(prod(breadth)) * (card.thickness if plane else 1),
+            sideBreadth=card.thickness if plane else float(breadth.mean()),
+            solidVolume=outline_volume(specimen),
+            maxSpeed=speed,
+            unbalancedLimit=p.unbalanced_limit,
+            quietSteps=QUIET,
+            lookInterval=LOOK,
+            ledger=self.interactions.ledger,
+        )
+        self.stepper = BondTimeStepper(safety=p.time_step_safety, timeStepUpdateInterval=STEPPING)
+        self.stepper.maxDt = _longest_step(specimen, stiffness, card.element.density)
+        self.newton = NewtonIntegrator(damping=p.damping)
+        O.engines = self.interactions.list + [self.stepper, self.servo, self.newton]
+        O.dt = self.stepper.maxDt
+
+    @property
+    def void_ratio(self) -> float:
+        """By the outlines, now [-]."""
+        lower, upper = wall_box(self.walls)
+        return self.servo.area * float(upper[-1] - lower[-1]) / self.servo.solidVolume - 1
+
+    def to_rest(self, stop_at: float = -np.inf) -> bool:
+        """Runs until the grains rest under the seating stress, or until the void ratio falls to `stop_at`.
+
+        Returns whether they rest. Raises GrusError when they do not come to rest.
+        """
+        self.servo.begin(self.card.preparation.seating_stress)
+        for _ in range(MOST_STEPS // LOOK):
+            steps(LOOK)
+            if self.servo.done:
+                return True
+            if self.void_ratio <= stop_at:
+                return False
+        raise GrusError(
+            f"{self.card.source}: preparation.unbalanced_limit = {self.card.preparation.unbalanced_limit:g}: "
+            f"{self.servo.unbalanced:.3g} after {MOST_STEPS} steps, the grains do not come to rest; allowed: more"
+        )
+
+    def expect(self, unbalanced: float, quiet: int) -> None:
+        """Sets what counts as rest: an unbalanced force [-], for so many time steps."""
+        self.servo.unbalancedLimit, self.servo.quietSteps = unbalanced, quiet
+
+    def open(self, way: float, count: int) -> None:
+        """Moves the platens apart by `way` [m] in `count` time steps, waits as long, and stops every grain."""
+        axis = self.card.dimension - 1
+        self.servo.dead = True
+        for speed in (way / (2 * count * O.dt), 0.0):
+            for wall, sign in zip(self.walls[axis], (-1, 1)):
+                velocity = [0.0, 0.0, 0.0]
+                velocity[axis] = sign * speed
+                O.bodies[wall].state.vel = velocity
+            steps(count)
+        for grain in self.movable():
+            grain.state.vel = grain.state.angVel = (0, 0, 0)
+        self.servo.dead = False
+
+    def movable(self) -> list:
+        """Clumps, and elements that stand alone."""
+        walls = {wall for pair in self.walls for wall in pair}
+        return [body for body in O.bodies if body.id not in walls and not body.isClumpMember]
+
+    def set_stiffness(self, stiffness: float) -> None:
+        """Changes the stiffness of all elements, and of the walls, which are as stiff [N/m]."""
+        factor = stiffness / self.material.kn
+        for part in [*O.materials, *(contact.phys for contact in O.interactions)]:
+            part.kn *= factor
+            part.ks *= factor
+        self.stepper.maxDt /= factor**0.5
+        O.dt = min(self.stepper.maxDt, self.stepper.safety * self.stepper.critical())
+
+    def set_friction(self, coefficient: float) -> None:
+        """Changes the friction between grains; the walls have none."""
+        self.material.frictionAngle = atan(coefficient)
+        walls = {wall for pair in self.walls for wall in pair}
+        for interaction in O.interactions:
+            if interaction.id1 not in walls and interaction.id2 not in walls:
+                interaction.phys.tangensOfFrictionAngle = coefficient
+
+    def positions(self) -> np.ndarray:
+        """Centres (n, 3) of the elements now [m]."""
+        return np.array([O.bodies[one].state.pos for one in self.ids])
+
+
+def steps(count: int) -> None:
+    """Time steps one by one: for a few, `O.run` would take longer to start and stop than to run."""
+    for _ in range(count):
+        O.step()
+
+
+def element_stiffness(material: BondMat, radius: float) -> float:
+    """Normal stiffness [N/m] of an element of `radius` [m]."""
+    return material.kn if material.kn >= 0 else 2 * material.young * radius
+
+
+def _longest_step(specimen: Specimen, stiffness: float, density: float) -> float:
+    """Time step [s] that is safe for the smallest clump when contacts form before the stepper looks again."""
+    plane = specimen.dimension == 2
+    r = specimen.radius
+    volume = np.pi * r**2 * specimen.thickness if plane else 4 / 3 * np.pi * r**3
+    lightest = density * float(np.bincount(specimen.clump, weights=volume).min())
+    return float(0.5 * np.sqrt(lightest / stiffness))
