@@ -1,5 +1,6 @@
 #include <grus/BondMat.hpp>
 
+#include <cmath>
 #include <map>
 
 #include <grus/BondState.hpp>
@@ -33,6 +34,13 @@ void BondMat::postLoad(BondMat&) {
     requireName("bond", bond, bondNames);
     requireName("bondStiffness", bondStiffness, stiffnessNames);
     requireName("scatter", scatter, scatterNames);
+    require(!std::isnan(kn), "BondMat.kn", kn, "a number");
+    require(!std::isnan(ks), "BondMat.ks", ks, "a number");
+    const bool scattered = scatterKind() != grus::physics::Scatter::None;
+    require(!scattered || scatterParameter > 0, "BondMat.scatterParameter", scatterParameter,
+            "more than 0 with scatter '" + scatter + "'; set it first");
+    require(scatter != "normal" || scatterParameter < 1, "BondMat.scatterParameter", scatterParameter,
+            "below 1 with scatter 'normal'");
     require(bondKn >= 0, "BondMat.bondKn", bondKn, "0 or more");
     require(bondKs >= 0, "BondMat.bondKs", bondKs, "0 or more");
     require(bondRadiusRatio > 0, "BondMat.bondRadiusRatio", bondRadiusRatio, "more than 0");

@@ -45,6 +45,9 @@ void CrushingPlatens::action() {
 }
 
 void CrushingPlatens::begin() {
+    require(speed > 0, "CrushingPlatens.speed", speed, "more than 0, or the platens never close");
+    require(control != "force" || forceRate > 0, "CrushingPlatens.forceRate", forceRate,
+            "more than 0 under force control");
     startTime = scene->time;
     lastPosition = {platen(bottom, *scene, name).pos[axis], platen(top, *scene, name).pos[axis]};
     initialGap = lastPosition[1] - lastPosition[0];

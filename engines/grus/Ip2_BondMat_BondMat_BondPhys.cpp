@@ -34,7 +34,7 @@ Real strengthFactor(const BondMat& m, const BondState& one, const BondState& two
     if (m.grainModulus > 0) {
         const Real u = physics::uniform(seed, physics::Draw::GrainStrength, grain);
         factor *= physics::weibullFactor(u, m.grainModulus);
-        if (m.grainReferenceDiameter > 0)
+        if (m.grainReferenceDiameter > 0 && one.grainDiameter > 0)
             factor *= physics::sizeFactor(one.grainDiameter, m.grainReferenceDiameter, m.grainModulus,
                                           m.thickness > 0 ? 2 : 3);
     }

@@ -24,9 +24,6 @@ bool Law2_ScGeom_BondPhys_Bonded::go(boost::shared_ptr<IGeom>& ig, boost::shared
     const auto& geom = *static_cast<ScGeom*>(ig.get());
     auto& phys = *static_cast<BondPhys*>(ip.get());
     const Real overlap = geom.penetrationDepth - phys.overlap0;
-    if (!phys.bonded && overlap < 0 && geom.penetrationDepth < 0)
-        return false;
-
     const State& one = *Body::byId(I->id1, scene)->state;
     const State& two = *Body::byId(I->id2, scene)->state;
     const Vector3r& normal = geom.normal;

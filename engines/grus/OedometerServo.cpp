@@ -1,10 +1,12 @@
 #include <grus/OedometerServo.hpp>
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include <core/Body.hpp>
 #include <core/Scene.hpp>
+#include <pkg/common/Wall.hpp>
 
 #include <grus/platen.hpp>
 #include <grus/require.hpp>
@@ -16,6 +18,14 @@ namespace yade {
 namespace {
 
 constexpr const char* name = "OedometerServo";
+
+/// Axis that the wall stands across; throws std::runtime_error for a body of another shape.
+int wallAxis(const Body& body) {
+    const auto* wall = dynamic_cast<const Wall*>(body.shape.get());
+    if (!wall)
+        throw std::runtime_error("OedometerServo: body " + std::to_string(body.id) + " of sides is not a Wall");
+    return wall->axis;
+}
 
 }
 
@@ -44,6 +54,8 @@ void OedometerServo::begin(Real stress) {
     done = false;
     quiet = 0;
     stageBreaks = quietBreaks = breaks();
+    speedLimit = maxSpeed;
+    unbalanced = std::numeric_limits<Real>::infinity(); // until the first look
     ++stage;
 }
 
@@ -83,7 +95,7 @@ void OedometerServo::measure() {
     bottomStress = -force[0] / area;
     Real onSides = 0;
     for (const int id : sides)
-        onSides += scene->forces.getForce(id).norm();
+        onSides += std::abs(scene->forces.getForce(id)[wallAxis(*Body::byId(id, scene))]);
     sideStress = sides.empty() || sideBreadth <= 0 ? 0 : onSides / (sides.size() * sideBreadth * height);
 }
 

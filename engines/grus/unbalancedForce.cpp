@@ -41,8 +41,10 @@ Real unbalancedForce(Scene& scene) {
     for (const auto& interaction : *scene.interactions) {
         if (!interaction->isReal())
             continue;
-        const auto& phys = static_cast<const NormShearPhys&>(*interaction->phys);
-        contacts += (phys.normalForce + phys.shearForce).norm();
+        const auto* phys = dynamic_cast<const NormShearPhys*>(interaction->phys.get());
+        if (!phys)
+            continue;
+        contacts += (phys->normalForce + phys->shearForce).norm();
         ++count;
     }
     return contacts > 0 ? (resultants / bodies) / (contacts / count) : 0;

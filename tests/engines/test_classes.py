@@ -2,7 +2,7 @@
 
 import grus
 import pytest
-from yade import O
+from yade import O, utils
 from yade.wrapper import BondLedger, BondMat, BondPhys, BondState, CrushingPlatens
 
 CLASSES = [
@@ -43,6 +43,8 @@ def test_keywords_and_attributes():
         ("momentContribution", 1.5, "0 to 1"),
         ("bondRadiusRatio", 0.0, "more than 0"),
         ("bondFrictionAngle", 1.6, "0 to below pi/2"),
+        ("kn", float("nan"), "a number"),
+        ("grainModulus", -1.0, "0 or more"),
     ],
 )
 def test_bad_material_is_refused(key, value, allowed):
@@ -62,7 +64,7 @@ def test_bad_platens_are_refused():
 
 def test_platens_without_walls_end_the_run_with_one_line():
     O.reset()
-    O.engines = [CrushingPlatens(bottom=3, top=4)]
+    O.engines = [CrushingPlatens(bottom=3, top=4, speed=1)]
     with pytest.raises(RuntimeError, match="no body with id 3"):
         O.step()
 
@@ -76,3 +78,22 @@ def test_results_are_read_only():
         BondPhys().bonded = True
     with pytest.raises(AttributeError):
         BondLedger().slidingWork = 1.0
+
+
+def test_scatter_needs_its_parameter():
+    with pytest.raises(ValueError, match="BondMat.scatterParameter = 0; allowed: more than 0"):
+        BondMat(scatter="weibull")
+    with pytest.raises(ValueError, match="BondMat.scatterParameter = 50; allowed: below 1"):
+        BondMat(scatter="normal", scatterParameter=50)
+    assert BondMat(scatter="weibull", scatterParameter=3).scatter == "weibull"
+
+
+@pytest.mark.parametrize(
+    "key, settings", [("speed", {}), ("forceRate", {"speed": 1, "control": "force"})]
+)
+def test_platens_that_would_never_close_are_refused(key, settings):
+    O.reset()
+    walls = [O.bodies.append(utils.wall(float(z), axis=1)) for z in (0, 1)]
+    O.engines = [CrushingPlatens(bottom=walls[0], top=walls[1], **settings)]
+    with pytest.raises(ValueError, match=f"CrushingPlatens.{key} = 0"):
+        O.step()

@@ -23,7 +23,7 @@ class Preparation(Section):
         Number(Interval(above=0, below=1)),
         "Share of the box that the grown exo-spheres fill, before the platens close.",
         default=None,
-        default_text="0.7 in the plane, 0.45 in space",
+        default_text="0.65 in the plane, 0.35 in space",
     )
     normal_stiffness: Measure | None = key(
         Quantity(UNITS, POSITIVE, "5e8 N/m"),
@@ -88,13 +88,13 @@ class Preparation(Section):
     unbalanced_limit: float = key(
         Number(POSITIVE),
         "Largest unbalanced force of a specimen at rest, over the mean contact force.",
-        default=0.001,
+        default=0.005,
     )
     damping: float = key(
         Number(Interval(least=0, below=1)), "Coefficient of YADE's local damping.", default=0.4
     )
     time_step_safety: float = key(
-        Number(Interval(above=0, most=1)), "Time step over the critical one.", default=0.5
+        Number(Interval(above=0, most=1)), "Time step over the critical one.", default=0.8
     )
 
     @staticmethod

@@ -14,11 +14,17 @@ def progress_bar(what: str) -> Iterator[Callable[[int, int], None]]:
     bar = Progress(*columns, console=Console(stderr=True))
     task = bar.add_task(what, total=None)
 
+    started = False
+
     def show(done: int, of: int) -> None:
-        bar.start()
+        nonlocal started
+        if not started:
+            bar.start()
+        started = True
         bar.update(task, completed=done, total=of)
 
     try:
         yield show
     finally:
-        bar.stop()
+        if started:
+            bar.stop()

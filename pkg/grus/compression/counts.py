@@ -17,13 +17,13 @@ class Counts:
     """Events y counted up to x, for `find_breaks`: a Poisson process with a dispersion.
 
     The number of events between two readings has the mean rate * dx and a variance in proportion to
-    it (events come in bursts); the dispersion is Pearson's, from the largest model, and at least 1
-    for whole numbers. A break is one where the rate grows.
+    it (events come in bursts); the dispersion is Pearson's, from the largest model, and at least
+    that of single events, where y shows their size. A break is one where the rate grows.
     """
 
     def __init__(self, x: np.ndarray, y: np.ndarray) -> None:
         """x (n,) rising; y (n,) never falling, any unit."""
-        whole = bool((np.mod(y, 1) == 0).all())
+        least = _unit(y)
         if len(x) > MOST:
             kept = np.unique(np.searchsorted(x, np.linspace(x[0], x[-1], MOST)))
             x, y = x[kept], y[kept]
@@ -32,7 +32,7 @@ class Counts:
         self.count = len(self.events)
         self.bounds = (float(x[1]), float(x[-3]))
         self.dispersion = 1.0
-        self.dispersion = self._dispersion(1.0 if whole else 1e-9 * float(y[-1] - y[0]))
+        self.dispersion = self._dispersion(least)
 
     def line(self) -> float:
         return float(self._deviance(self._fitted(np.empty((1, 0)))[1])[0])
@@ -101,3 +101,13 @@ class Counts:
         freedom = max(int(likely.sum()) - 1 - 2 * len(chosen), 1)
         square = (self.events - mean)[likely] ** 2 / mean[likely]
         return max(float(square.sum()) / freedom, least)
+
+
+def _unit(y: np.ndarray) -> float:
+    """Size of a single event: 1 in whole numbers, 1/n in shares of n; next to 0 if none shows."""
+    if not np.mod(y, 1).any():
+        return 1.0
+    smallest = np.diff(y)[np.diff(y) > 0].min()
+    multiple = y / smallest
+    exact = np.abs(multiple - np.round(multiple)).max() < 1e-6
+    return float(smallest if exact else 1e-9 * (y[-1] - y[0]))

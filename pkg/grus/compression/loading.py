@@ -13,8 +13,25 @@ def first_loading(stress: np.ndarray) -> np.ndarray:
 
     Unloading, reloading and the creep of holds drop out.
     """
-    before = np.maximum.accumulate(np.concatenate([[0.0], stress[:-1]]))
-    return np.asarray(stress) > before
+    stress = np.asarray(stress, dtype=float)
+    return stress > np.maximum.accumulate(np.concatenate([[0.0], stress]))[:-1]
+
+
+def checked_columns(
+    stress: np.ndarray, name: str, value: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Stress and value as arrays (n,); `name` is the key of the value.
+
+    Raises GrusError unless both are lists of one length of finite numbers.
+    """
+    stress, value = np.asarray(stress, dtype=float), np.asarray(value, dtype=float)
+    require(stress.ndim == 1, "shape of stress", stress.shape, "one column")
+    require(value.shape == stress.shape, f"shape of {name}", value.shape, f"{stress.shape}")
+    for key, column in (("stress", stress), (name, value)):
+        bad = np.flatnonzero(~np.isfinite(column))
+        found = f"{column[bad[0]]} at index {bad[0]}" if len(bad) else None
+        require(not len(bad), key, found, "finite")
+    return stress, value
 
 
 def loading_curve(
@@ -22,16 +39,10 @@ def loading_curve(
 ) -> tuple[np.ndarray, np.ndarray]:
     """log10 of the stress / 1 Pa, and the value, of the readings of first loading from `seating` on.
 
-    stress [Pa], value: (n,) in the order of the test. name: key of the value, for messages.
-    Raises GrusError for columns that are no equal lists of finite numbers, and for fewer than
-    seven readings that are left.
+    stress [Pa], value: (n,) in the order of the test. Raises GrusError as `checked_columns`, and
+    when fewer than seven readings are left.
     """
-    stress, value = np.asarray(stress, dtype=float), np.asarray(value, dtype=float)
-    require(stress.ndim == 1, "shape of stress", stress.shape, "one column")
-    require(value.shape == stress.shape, f"shape of {name}", value.shape, f"{stress.shape}")
-    for key, column in (("stress", stress), (name, value)):
-        bad = np.flatnonzero(~np.isfinite(column))
-        require(not len(bad), key, f"{column[bad[:1]]} at index {bad[:1]}", "finite")
+    stress, value = checked_columns(stress, name, value)
     require(0 <= seating < np.inf, "seating", seating, "finite and >= 0 Pa")
     used = first_loading(stress) & (stress >= seating)
     count = int(used.sum())

@@ -1,11 +1,14 @@
 """A measured curve, straight but for its breaks, with noise of two kinds."""
 
+from collections.abc import Iterator
+
 import numpy as np
 from scipy.linalg import cholesky, solve_triangular
 from scipy.stats import f as f_law
 
-MOST = 200
-"""Readings that are kept; more are averaged over equal steps of x."""
+MOST, FINE = 120, 1200
+"""Readings that are kept; more are averaged over equal steps of x, and so are the lines, which are
+drawn with the second number of points."""
 WANDER = np.concatenate([[0.0], 10.0 ** np.arange(-2.0, 4.5, 0.5)])
 """Ratios tried of the variance of the wander over the whole range to that of a reading."""
 FINEST = 1e-6
@@ -29,16 +32,19 @@ class Readings:
         widths: w of a break, in x, of which the best is taken: the slope goes over with
         1 / (1 + exp(-(x - place)/w)), so that nine tenths of it change within 6 w. 0 is a kink.
         """
-        self.x, self.y = _averaged(x, y)
+        if len(x) > FINE:
+            x, y = (_averaged(column, *_steps(x, FINE)) for column in (x, y))
+        self._fine, self._steps = x, _steps(x, MOST) if len(x) > MOST else None
+        self.x, self.y = self._coarse(x), self._coarse(y)
         self.count = len(self.x)
-        self.bounds = (float(self.x[1]), float(self.x[-3]))
+        self.bounds = (float(self.x[1]), float(self.x[-3]))  # two readings before, three after
         self._sense = sense
         self._scale = np.ptp(self.y) or 1.0
         place = (self.x - self.x[0]) / (self.x[-1] - self.x[0])
         wander = np.minimum.outer(place, place)
         roots = [cholesky(np.eye(self.count) + ratio * wander, lower=True) for ratio in WANDER]
         self._noise = [(root, 2 * np.log(np.diag(root)).sum()) for root in roots]
-        self._laws = [(width, *noise) for width in widths for noise in self._noise]
+        self._widths = widths
         self._straight = np.stack([np.ones(self.count), place], axis=1)
 
     def deviance(self, basis: np.ndarray) -> float:
@@ -53,8 +59,7 @@ class Readings:
 
     def one(self, at: np.ndarray) -> np.ndarray:
         best = np.full(len(at), np.inf)
-        for width, root, size in self._laws:
-            rest, bends, along = self._bends(root, width, at)
+        for rest, bends, along, size in self._bends(at):
             deviance = self._deviance(rest - along**2 / (bends**2).sum(axis=0), size)
             best = np.where(self._sense * along > 0, np.minimum(best, deviance), best)
         return best
@@ -62,12 +67,10 @@ class Readings:
     def two(self, first: np.ndarray, last: np.ndarray) -> np.ndarray:
         best = np.full((len(first), len(last)), np.inf)
         room = np.searchsorted(self.x, last) - np.searchsorted(self.x, first, "right")[:, None] >= 2
-        for width, root, size in self._laws:
-            rest, bends, along = self._bends(root, width, np.concatenate([first, last]))
+        j, k = np.arange(len(first))[:, None], len(first) + np.arange(len(last))[None, :]
+        for rest, bends, along, size in self._bends(np.concatenate([first, last])):
             product = bends.T @ bends
-            j, k = np.arange(len(first))[:, None], len(first) + np.arange(len(last))[None, :]
-            square = product[j, j] * product[k, k] - product[j, k] ** 2
-            square = np.where(room, square, 1.0)
+            square = np.where(room, product[j, j] * product[k, k] - product[j, k] ** 2, 1.0)
             opening = (along[j] * product[k, k] - along[k] * product[j, k]) / square
             closing = (along[k] * product[j, j] - along[j] * product[j, k]) / square
             deviance = self._deviance(rest - opening * along[j] - closing * along[k], size)
@@ -81,27 +84,50 @@ class Readings:
     def slopes(self, places: tuple[float, ...]) -> tuple[float, np.ndarray, float]:
         """Value at the last place on the lines, their slopes (b + 1,), and the width of the breaks.
 
-        By least squares.
+        By generalised least squares.
         """
         fits = []
-        for width, root, size in self._laws:
+        for width in self._widths:
             columns = [np.ones(self.count), self.x - places[-1]]
-            columns += [bend(self.x - place, width) for place in places]
-            rest = _outside(root, np.stack(columns, axis=1), self.y / self._scale)[0]
-            fits.append((self._deviance(rest, size), width, root, np.stack(columns, axis=1)))
-        _, width, root, basis = min(fits, key=lambda fit: fit[0])
-        white = solve_triangular(root, np.column_stack([basis, self.y]), lower=True)
-        weight = np.linalg.lstsq(white[:, :-1], white[:, -1], rcond=None)[0]
+            columns += [self._coarse(bend(self._fine - place, width)) for place in places]
+            basis = np.stack(columns, axis=1)
+            weight, rest, size, _ = self._solved(basis)
+            fits.append((self._deviance(rest, size), width, weight))
+        _, width, weight = min(fits, key=lambda fit: fit[0])
         level = weight[0] + sum(w * (places[-1] - p) for w, p in zip(weight[2:], places))
         return float(level), np.cumsum(weight[1:]), width
 
-    def _bends(
-        self, root: np.ndarray, width: float, at: np.ndarray
-    ) -> tuple[float, np.ndarray, np.ndarray]:
-        """What the straight line leaves of y (squared), of the bends (n, k), and their product."""
-        bends = bend(self.x[:, None] - at, width) / (self.x[-1] - self.x[0])
-        rest, bends, left = _outside(root, self._straight, self.y / self._scale, bends)
-        return rest, bends, bends.T @ left
+    def slope(self) -> tuple[float, float]:
+        """Slope of the straight line, and its standard error."""
+        weight, rest, _, spread = self._solved(self._straight)
+        reach = self.x[-1] - self.x[0]
+        variance = spread[1, 1] * rest * self._scale**2 / (self.count - 2)
+        return float(weight[1] / reach), float(np.sqrt(variance) / reach)
+
+    def _solved(self, basis: np.ndarray) -> tuple[np.ndarray, float, float, np.ndarray]:
+        """Weights (p,) of the columns, and under their noise: squares left, size, spread (p, p)."""
+        fits = []
+        for root, size in self._noise:
+            white = solve_triangular(root, np.column_stack([basis, self.y]), lower=True)
+            columns, y = white[:, :-1], white[:, -1]
+            weight = np.linalg.lstsq(columns, y, rcond=None)[0]
+            rest = float(((y - columns @ weight) ** 2).sum()) / self._scale**2
+            fits.append((self._deviance(rest, size), weight, rest, size, columns))
+        _, weight, rest, size, columns = min(fits, key=lambda fit: fit[0])
+        return weight, rest, size, np.linalg.inv(columns.T @ columns)
+
+    def _bends(self, at: np.ndarray) -> Iterator[tuple[float, np.ndarray, np.ndarray, float]]:
+        """For each width and noise, whitened and cleared of the straight line: squares of y, bends
+        (n, k), products of both (k,); and the size of the noise."""
+        for width in self._widths:
+            bends = self._coarse(bend(self._fine[:, None] - at, width)) / (self.x[-1] - self.x[0])
+            for root, size in self._noise:
+                rest, clear, left = _outside(root, self._straight, self.y / self._scale, bends)
+                yield rest, clear, clear.T @ left, size
+
+    def _coarse(self, columns: np.ndarray) -> np.ndarray:
+        """Columns (n, ...) at the fine points, averaged to the readings that are kept."""
+        return columns if self._steps is None else _averaged(columns, *self._steps)
 
     def _deviance(self, rest: np.ndarray | float, size: float) -> np.ndarray | float:
         """-2 log likelihood from the sum of squares left, the variance chosen by likelihood."""
@@ -125,12 +151,13 @@ def _outside(
     return float(white[:, 0] @ white[:, 0]), white[:, 1:], white[:, 0]
 
 
-def _averaged(x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Means of the readings over at most MOST equal steps of x, without those that are empty."""
-    if len(x) <= MOST:
-        return x, y
-    step = np.minimum((MOST * (x - x[0]) / (x[-1] - x[0])).astype(np.int64), MOST - 1)
-    number = np.bincount(step)
-    used = number > 0
-    sums = (np.bincount(step, weights=column)[used] for column in (x, y))
-    return tuple(total / number[used] for total in sums)
+def _steps(x: np.ndarray, most: int) -> tuple[np.ndarray, np.ndarray]:
+    """Index of the first of the rising points x (n,) in each of so many equal steps, and how many
+    points it holds; without the steps that hold none."""
+    step = np.minimum((most * (x - x[0]) / (x[-1] - x[0])).astype(np.int64), most - 1)
+    return np.unique(step, return_index=True, return_counts=True)[1:]
+
+
+def _averaged(columns: np.ndarray, first: np.ndarray, number: np.ndarray) -> np.ndarray:
+    sums = np.add.reduceat(columns, first, axis=0)
+    return (sums.T / number).T

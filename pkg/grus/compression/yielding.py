@@ -1,4 +1,4 @@
-"""Yield of a compression curve: the kink of void ratio against the logarithm of stress."""
+"""Yield of a compression curve: the bend of void ratio against the logarithm of stress."""
 
 from dataclasses import dataclass
 
@@ -7,28 +7,30 @@ import numpy as np
 from grus.compression.bend import sharpest_bend
 from grus.compression.breaks import find_breaks
 from grus.compression.loading import loading_curve
-from grus.compression.readings import Readings
+from grus.compression.readings import Readings, bend
 from grus.specimen.require import require
 
 EXPONENTS = np.linspace(0.05, 1.0, 20)
 """Tried in Janbu's law; 0 is the straight line over the logarithm of stress."""
-
-WIDTHS = (0.0, 0.02, 0.05, 0.1, 0.15)
-"""Of the bend, in decades of stress; elastic compression bends over three times the widest."""
-NEEDED = 0.0
+WIDTHS = (0.0, 0.01, 0.02, 0.03, 0.05, 0.07, 0.1, 0.15)
+"""Tried for the bend, in decades of stress; linear elasticity bends three times as widely."""
+POSITIVE_EVIDENCE = 2.0
+"""Of the scale of Kass & Raftery (1995), who call 6 strong and 10 very strong."""
 
 
 @dataclass(frozen=True)
 class YieldStress:
-    """A kink from a flat to a steep line of void ratio over log10 stress.
+    """Where the void ratio goes over from a flat to a steep line over log10 stress.
 
-    stress, interval: of the kink [Pa], the interval at the given confidence.
-    void_ratio: on both lines at the kink.
+    stress, interval: of the point where both lines meet [Pa], the interval at that confidence.
+    void_ratio: at that point.
+    width: of the bend between the lines [decades of stress]; nine tenths of it lie within six
+        widths; 0 is a kink.
     index_before, compression_index: fall of the void ratio for a tenfold stress, of both lines.
-    sharpest_bend: stress of the largest curvature [Pa], a check by other means; None when the
-        smoothed curve bends nowhere.
-    evidence: by how much the Bayesian information criterion of the kink is below that of the best
-        law without one; above 10 it is strong.
+    sharpest_bend: stress at which the slope falls fastest [Pa], a check by other means; None when
+        the smoothed curve bends nowhere.
+    evidence: by how much the Bayesian information criterion is below that of the best law without
+        yield.
     """
 
     stress: float
@@ -42,23 +44,23 @@ class YieldStress:
     confidence: float
 
     def line(self, stress: np.ndarray) -> np.ndarray:
-        """Void ratio of the two lines at any stresses [Pa]."""
+        """Void ratio of the fitted curve at any stresses [Pa]."""
         decades = np.log10(np.asarray(stress, dtype=float) / self.stress)
-        index = np.where(decades < 0, self.index_before, self.compression_index)
-        return self.void_ratio - index * decades
+        steeper = self.compression_index - self.index_before
+        return self.void_ratio - self.index_before * decades - steeper * bend(decades, self.width)
 
 
 def yield_stress(
     stress: np.ndarray, void_ratio: np.ndarray, *, seating: float = 0.0, confidence: float = 0.95
 ) -> YieldStress | None:
-    """The kink of a compression curve, or None when a law without yield describes it as well.
+    """The yield of a compression curve, or None when a law without yield describes it as well.
 
     stress [Pa], void_ratio [-]: (n,) in the order of the test, unloading and holds included; only
         readings of first loading are used, those below `seating` [Pa] left out.
 
-    Two straight lines over log10 stress, the second steeper, are compared with one law for the whole
-    curve: a straight line, and the stiffness of Janbu (1963), void ratio = a - b stress^c with
-    0 < c <= 1, of which c = 1 is linear elasticity. Raises GrusError for fewer than seven readings
+    Two straight lines over log10 stress, the second steeper and joined by a kink or a narrow bend,
+    are compared with one law for the whole curve: a straight line, and the stiffness of Janbu
+    (1963), void ratio = a - b stress^c with 0 < c <= 1, of which c = 1 is linear elasticity. Raises GrusError for fewer than seven readings
     of first loading and for columns that are no equal lists of finite numbers.
     """
     require(0 < confidence < 1, "confidence", confidence, "in (0, 1)")
@@ -67,12 +69,12 @@ def yield_stress(
     found = find_breaks(curve, 1, confidence)
     if not found.places:
         return None
-    price = np.log(curve.count)
-    evidence = min(found.criterion[0], _janbu(curve)) - (found.criterion[1] + price)
-    if evidence <= NEEDED:
+    with_yield = found.criterion[1] + np.log(curve.count)  # for the width of the bend
+    evidence = min(found.criterion[0], _janbu(curve)) - with_yield
+    if evidence < POSITIVE_EVIDENCE:
         return None
     level, slopes, width = curve.slopes(found.places)
-    bend = sharpest_bend(curve.x, curve.y)
+    sharpest = sharpest_bend(curve.x, curve.y)
     low, high = found.interval
     return YieldStress(
         stress=10 ** found.places[0],
@@ -81,7 +83,7 @@ def yield_stress(
         width=width,
         index_before=float(-slopes[0]),
         compression_index=float(-slopes[1]),
-        sharpest_bend=None if bend is None else 10**bend,
+        sharpest_bend=None if sharpest is None else 10**sharpest,
         evidence=float(evidence),
         confidence=float(confidence),
     )

@@ -1,6 +1,5 @@
 """Crushing of a group of grains in parallel processes."""
 
-import json
 import os
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -12,10 +11,11 @@ from grus.card import Card
 from grus.crushing.result import CrushingResult
 from grus.crushing.test import crush
 from grus.errors import GrusError
-from grus.files import discard_partial, write_text
+from grus.files import discard_partial
 from grus.host.processes import run_in_processes
+from grus.ownership import claim
+from grus.specimen.from_card import outline_from_card
 from grus.statistics import WeibullFit, fit_weibull
-from grus.version import __version__
 
 Progress = Callable[[int, int], None]
 
@@ -48,6 +48,13 @@ class GroupResult:
         censored = self.censored if self.censored.any() else None
         return fit_weibull(strengths, censored=censored, seed=self.card.seed)
 
+    def weibull_or_reason(self, by: str = "first drop") -> WeibullFit | str:
+        """The same, or in words why these grains do not tell a distribution (too few broke, all equally strong)."""
+        try:
+            return self.weibull(by)
+        except GrusError as error:
+            return str(error)
+
 
 def crush_group(
     card: Card,
@@ -66,6 +73,7 @@ def crush_group(
     for name, value in {"grains": grains, "jobs": jobs}.items():
         if value < 1:
             raise GrusError(f"{name} = {value}; allowed: 1 or more")
+    outline_from_card(card)  # refuses a bad mesh before anything is written
     store = _Store(card, Path(folder))
     waiting = [grain for grain in range(grains) if not store.has(grain)]
     done = grains - len(waiting)
@@ -92,17 +100,10 @@ class _Store:
     """Results of one card in a folder."""
 
     def __init__(self, card: Card, folder: Path) -> None:
-        self.key = f"{card.content_hash()} {__version__}"
+        self.key = claim(folder, card)
         self.folder = folder / "grains"
-        owner = folder / "card.json"
-        if owner.exists():
-            if json.loads(owner.read_text())["key"] != self.key:
-                raise GrusError(
-                    f"{folder}: holds results of another card or version; allowed: an empty folder, or the same card"
-                )
-        self.folder.mkdir(parents=True, exist_ok=True)
+        self.folder.mkdir(exist_ok=True)
         discard_partial(self.folder)
-        write_text(owner, json.dumps({"key": self.key, "card": card.to_dict()}, indent=1))
 
     def path(self, grain: int) -> Path:
         return self.folder / f"grain-{grain:04d}.h5"

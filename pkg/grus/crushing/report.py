@@ -14,8 +14,6 @@ from grus.scene.vtk import write_vtk
 from grus.statistics import WeibullFit
 from grus.version import __version__
 
-LEAST = 3  # grains for a Weibull fit
-
 
 def write_report(group: GroupResult, folder: str | Path) -> dict:
     """Writes result.json, curves.csv, plots (PNG and SVG) and VTK files into `folder`; returns what result.json holds."""
@@ -33,8 +31,9 @@ def write_report(group: GroupResult, folder: str | Path) -> dict:
         "force-displacement": force_displacement_plot(curves, peaks, title=title),
         "fragments": fragment_picture(group.grains),
     }
-    if "weibull" in result:
-        figures["weibull"] = weibull_plot(group.weibull(), title=title)
+    fit = group.weibull_or_reason()
+    if not isinstance(fit, str):
+        figures["weibull"] = weibull_plot(fit, title=title)
     for name, figure in figures.items():
         save(figure, folder / name)
     result["files"] = ["curves.csv", "result.json", *(f"{name}.png" for name in figures), "vtk/"]
@@ -63,13 +62,15 @@ def numbers(group: GroupResult) -> dict:
         "worst_energy_error": max((g.energy_error for g in group.grains), key=abs),
         "tests": [grain.summary() for grain in group.grains],
     }
-    if len(group.grains) >= LEAST:
-        result["weibull"] = _weibull_numbers(group.weibull())
-        result["weibull_by_maximum"] = _weibull_numbers(group.weibull(by="maximum"))
+    result["weibull"] = _weibull_numbers(group.weibull_or_reason())
+    result["weibull_by_maximum"] = _weibull_numbers(group.weibull_or_reason(by="maximum"))
     return result
 
 
-def _weibull_numbers(fit: WeibullFit) -> dict:
+def _weibull_numbers(fit: WeibullFit | str) -> dict:
+    """The fit, or {"refused": why} where there is none."""
+    if isinstance(fit, str):
+        return {"refused": fit}
     return {
         "modulus": fit.modulus,
         "modulus_ci": list(fit.modulus_ci),

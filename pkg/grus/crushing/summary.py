@@ -3,7 +3,6 @@
 import numpy as np
 
 from grus.crushing.group import GroupResult
-from grus.crushing.report import LEAST
 
 
 def summary(group: GroupResult) -> str:
@@ -42,9 +41,9 @@ def _mean(grains: tuple, what: str) -> str:
 
 
 def _weibull(group: GroupResult) -> list[tuple[str, str]]:
-    if len(group.grains) < LEAST:
-        return [("Weibull", f"needs {LEAST} grains or more")]
-    fit = group.weibull()
+    fit = group.weibull_or_reason()
+    if isinstance(fit, str):
+        return [("Weibull", f"no fit; {fit}")]
     low, high = fit.modulus_ci
     share = f"{fit.confidence:.0%}"
     lines = [

@@ -10,7 +10,7 @@ from grus.card import Card
 from grus.errors import GrusError
 from grus.preparation import PreparedSpecimen
 from grus.record import Record
-from grus.scene import InteractionEngines, Snapshot, bond, grain_material, insert, snapshot
+from grus.scene import InteractionEngines, bond, grain_material, insert
 
 UNITS = {
     "iter": "1",
@@ -37,8 +37,8 @@ UNITS = {
 class OedometerTest:
     """A prepared specimen between platens in a box with fixed sides, in the current YADE scene, which is emptied first.
 
-    After construction the grains are bonded and the platens stand where the preparation left them;
-    `stage(stress)` loads to a stress, `record()` and `snapshot()` take what there is.
+    After construction the grains are bonded and the platens stand where the preparation left them. All state is in the
+    scene, so that one that was saved and loaded goes on without this object.
     """
 
     def __init__(self, card: Card, prepared: PreparedSpecimen) -> None:
@@ -47,12 +47,11 @@ class OedometerTest:
                 f"{card.source}: oedometer is missing; allowed: a table [oedometer] with stages"
             )
         self.card, self.prepared = card, prepared
-        self.specimen = prepared.specimen
         O.reset()
         O.trackEnergy = True
         axis = card.dimension - 1
         walls = self._walls(axis)
-        self.ids = insert(self.specimen, grain_material(card))
+        insert(prepared.specimen, grain_material(card))
         interactions = InteractionEngines()
         test = card.oedometer
         servo = OedometerServo(
@@ -70,14 +69,14 @@ class OedometerTest:
             inertialLimit=test.inertial_limit,
             recordStrain=test.record_strain,
             recordStress=test.record_stress,
-            grainDiameter=float(self.specimen.grain_diameter.mean()),
+            grainDiameter=float(prepared.specimen.grain_diameter.mean()),
             grainDensity=card.element.density,
             **self._areas(axis),
         )
         stepper = BondTimeStepper(safety=test.time_step_safety)
         newton = NewtonIntegrator(damping=test.damping, gravity=(0, 0, 0))
         O.engines = interactions.list + [newton]
-        self.bonds = bond(self.specimen, interactions)
+        self.bonds = bond(prepared.specimen, interactions)
         O.engines = interactions.list + [stepper, servo, newton]
         O.dt = stepper.safety * stepper.critical()
 
@@ -110,11 +109,6 @@ class OedometerTest:
         if axis == 1:
             return {"area": size[0] * self.card.thickness, "sideBreadth": self.card.thickness}
         return {"area": size[0] * size[1], "sideBreadth": (size[0] + size[1]) / 2}
-
-    def stage(self, stress: float) -> None:
-        """Goes to an axial stress [Pa] and waits until the specimen is at rest there."""
-        servo().begin(stress)
-        O.run(-1, True)
 
 
 def servo() -> OedometerServo:
@@ -158,6 +152,6 @@ def record() -> Record:
     return Record(dict(zip(UNITS, map(np.array, columns))), UNITS)
 
 
-def state(specimen, ids: list[int]) -> Snapshot:
-    """Elements and bonds of the current scene."""
-    return snapshot(specimen, ids)
+def element_ids() -> list[int]:
+    """Ids of the elements of the current scene, in the order of the specimen."""
+    return [body.id for body in O.bodies if getattr(body.state, "grain", -1) >= 0]

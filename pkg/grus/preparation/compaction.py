@@ -16,19 +16,16 @@ from grus.preparation.walls import wall_box
 from grus.scene import grain_material
 from grus.specimen import Specimen
 
-FINE = 0.1
-"""Share of the tolerance by which the void ratio may change between two looks when it is close."""
-NEAR = 0.04
-"""Distance from the void ratio asked for at which the platens slow down."""
 ROUGH = 0.02
-"""Unbalanced force at which soft grains count as resting; nothing is made of that state."""
-OPENING = 10
-"""Way by which the platens open to let go of the overlaps, in overlaps."""
+"""Unbalanced force at which grains count as resting here; the seating goes on from there."""
+OPENING, WIDENING = 10, 4
+"""Ways by which platens and sides open to let go of the overlaps, in mean overlaps."""
 RELEASE = 400
 """Time steps in which they open."""
-TAPS = 30
-FIRST_TAP, TAP_GROWTH = 0.05, 1.15
-"""Speed of the grains in the first tap, over that of sound in a powder, root(stress / density), and its growth."""
+BEAT, TAPS = 1000, 60
+"""Time steps from one tap to the next, and how many taps there are at most."""
+SOFTEST_TAP, HARDEST_TAP = 0.7, 5.0
+"""Largest speed that the first and the last tap give a grain, over root(stress / density)."""
 CYCLES = 12
 ENOUGH = 0.6
 """Share of the tolerance within which the void ratio is met; the rest is room for the seating."""
@@ -68,8 +65,6 @@ class Compaction:
         press, target = self.press, self.card.specimen.void_ratio
         enough = target + ENOUGH * self.card.preparation.void_ratio_tolerance
         press.expect(ROUGH, QUIET // 5)
-        press.to_rest(target + NEAR)
-        self._slow_down()
         resting, stop, first = press.to_rest(target), target, None
         for _ in range(CYCLES):
             dense = True
@@ -91,18 +86,15 @@ class Compaction:
         return replace(self.grains, position=placed), np.array(wall_box(self.press.walls))
 
     def _densify(self, stop: float) -> bool:
-        """Takes friction from the grains, then taps them harder and harder; whether the void ratio falls to `stop`."""
+        """Takes friction from the grains and taps them harder and harder; whether the void ratio falls to `stop`."""
         p = self.card.preparation
         self.press.set_friction(p.friction)
-        resting = self.press.to_rest(stop)
-        speed = FIRST_TAP * (p.seating_stress / self.card.element.density) ** 0.5
-        for _ in range(TAPS):
-            if not resting:
-                return True
+        sound = (p.seating_stress / self.card.element.density) ** 0.5
+        for speed in sound * np.append(0.0, np.geomspace(SOFTEST_TAP, HARDEST_TAP, TAPS)):
             self._tap(speed)
-            speed *= TAP_GROWTH
-            resting = self.press.to_rest(stop)
-        return not resting
+            if self.press.run(BEAT, stop):
+                return True
+        return False
 
     def _tap(self, speed: float) -> None:
         """Gives every grain a velocity at random, up to `speed` [m/s] along each axis."""
@@ -113,31 +105,25 @@ class Compaction:
             grain.state.vel = tuple(kick.tolist())
 
     def _settle(self) -> float:
-        """Opens the platens until overlaps are gone, then closes them on hard, rough grains; the void ratio at rest.
+        """Opens the box until overlaps are gone, then closes the platens on hard, rough grains; the void ratio at rest.
 
-        Hardening contacts as they are would lock stress between the sides.
+        Hardening contacts as they are would lock stress between the sides. The sides stay where they are then, a few
+        micrometres wider.
         """
         press, p = self.press, self.card.preparation
         press.set_friction(p.friction)
         overlap = p.compaction_overlap * self.card.element.radius
-        press.open(OPENING * overlap, RELEASE)
+        sides = [WIDENING * overlap] * (self.card.dimension - 1)
+        press.open([*sides, OPENING * overlap], RELEASE)
         press.set_stiffness(self.final)
         press.set_friction(self.card.contact.friction_coefficient)
-        press.expect(p.unbalanced_limit, QUIET)
+        press.expect(ROUGH, QUIET)
         press.to_rest()
         return press.void_ratio
 
     def _soften(self) -> None:
         self.press.set_stiffness(self.soft)
         self.press.expect(ROUGH, QUIET // 5)
-
-    def _slow_down(self) -> None:
-        """Lets the void ratio change by a small share of its tolerance between two looks."""
-        lower, upper = wall_box(self.press.walls)
-        p = self.card.preparation
-        change = FINE * p.void_ratio_tolerance / (1 + self.card.specimen.void_ratio)
-        speed = change * float(upper[-1] - lower[-1]) / (2 * self.press.servo.lookInterval * O.dt)
-        self.press.servo.maxSpeed = min(p.compaction_speed, speed)
 
 
 def soft_stiffness(card: Card, grains: Specimen) -> float:

@@ -81,7 +81,7 @@ def grow(card: Card, centre: np.ndarray, radius: np.ndarray, size: np.ndarray) -
 def solid_fraction(card: Card) -> float:
     """Share of the box that the grown exo-spheres fill."""
     given = card.preparation.exo_solid_fraction
-    return {2: 0.7, 3: 0.45}[card.dimension] if given is None else given
+    return {2: 0.65, 3: 0.35}[card.dimension] if given is None else given
 
 
 def _stiffness(card: Card, radius: float) -> float:

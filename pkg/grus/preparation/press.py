@@ -17,7 +17,9 @@ LOOK = 50
 """Time steps between two looks at the void ratio and at the unbalanced force."""
 QUIET = 500
 """Time steps at rest in a row that count as rest."""
-STEPPING = 500
+NEARER, FINE = 0.1, 0.1
+"""Between two looks the void ratio changes by this share of its distance from where it is to stop, plus this share of its tolerance, at most."""
+STEPPING = 200
 """Time steps between two updates of the time step."""
 MOST_STEPS = 1_000_000
 
@@ -41,14 +43,13 @@ class Press:
         self.ids = insert(specimen, material)
         self.interactions = InteractionEngines()
         breadth = np.subtract(corners[1], corners[0])[:-1]
-        plane = card.dimension == 2
         self.servo = OedometerServo(
             bottom=self.walls[-1][0],
             top=self.walls[-1][1],
             sides=[wall for pair in self.walls[:-1] for wall in pair],
             axis=card.dimension - 1,
-            area=float(prod(breadth)) * (card.thickness if plane else 1),
-            sideBreadth=card.thickness if plane else float(breadth.mean()),
+            area=self._platen_area(),
+            sideBreadth=card.thickness if card.dimension == 2 else float(breadth.mean()),
             solidVolume=outline_volume(specimen),
             maxSpeed=speed,
             unbalancedLimit=p.unbalanced_limit,
@@ -74,34 +75,59 @@ class Press:
         Returns whether they rest. Raises GrusError when they do not come to rest.
         """
         self.servo.begin(self.card.preparation.seating_stress)
-        for _ in range(MOST_STEPS // LOOK):
-            steps(LOOK)
-            if self.servo.done:
-                return True
-            if self.void_ratio <= stop_at:
-                return False
+        fell = self.run(MOST_STEPS, stop_at)
+        if self.servo.done or fell:
+            return self.servo.done
         raise GrusError(
             f"{self.card.source}: preparation.unbalanced_limit = {self.card.preparation.unbalanced_limit:g}: "
             f"{self.servo.unbalanced:.3g} after {MOST_STEPS} steps, the grains do not come to rest; allowed: more"
         )
 
+    def run(self, count: int, stop_at: float) -> bool:
+        """Runs `count` steps under the seating stress, or until all rest, or until the void ratio falls to `stop_at`.
+
+        The platens slow down on the way to `stop_at`, and stay slow after that. Returns whether it was reached.
+        """
+        if self.servo.done:
+            self.servo.begin(self.card.preparation.seating_stress)
+        for _ in range(count // LOOK):
+            if np.isfinite(stop_at):
+                self._slow_down(self.void_ratio - stop_at)
+            steps(LOOK)
+            if self.servo.done or self.void_ratio <= stop_at:
+                break
+        return self.void_ratio <= stop_at
+
+    def _slow_down(self, distance: float) -> None:
+        p = self.card.preparation
+        change = NEARER * max(distance, 0) + FINE * p.void_ratio_tolerance
+        lower, upper = wall_box(self.walls)
+        way = change / (1 + self.void_ratio) * float(upper[-1] - lower[-1])
+        self.servo.maxSpeed = min(p.compaction_speed, way / (2 * LOOK * O.dt))
+
     def expect(self, unbalanced: float, quiet: int) -> None:
         """Sets what counts as rest: an unbalanced force [-], for so many time steps."""
         self.servo.unbalancedLimit, self.servo.quietSteps = unbalanced, quiet
 
-    def open(self, way: float, count: int) -> None:
-        """Moves the platens apart by `way` [m] in `count` time steps, waits as long, and stops every grain."""
-        axis = self.card.dimension - 1
+    def open(self, ways: list[float], count: int) -> None:
+        """Moves the walls across each axis apart by its way [m] in `count` time steps, waits as long, and stops every grain."""
         self.servo.dead = True
-        for speed in (way / (2 * count * O.dt), 0.0):
-            for wall, sign in zip(self.walls[axis], (-1, 1)):
-                velocity = [0.0, 0.0, 0.0]
-                velocity[axis] = sign * speed
-                O.bodies[wall].state.vel = velocity
+        for share in (1.0, 0.0):
+            for axis, (pair, way) in enumerate(zip(self.walls, ways)):
+                for wall, sign in zip(pair, (-1, 1)):
+                    velocity = [0.0, 0.0, 0.0]
+                    velocity[axis] = sign * share * way / (2 * count * O.dt)
+                    O.bodies[wall].state.vel = velocity
             steps(count)
         for grain in self.movable():
             grain.state.vel = grain.state.angVel = (0, 0, 0)
+        self.servo.area = self._platen_area()
         self.servo.dead = False
+
+    def _platen_area(self) -> float:
+        lower, upper = wall_box(self.walls)
+        breadth = np.subtract(upper, lower)[:-1]
+        return float(prod(breadth)) * (self.card.thickness if self.card.dimension == 2 else 1)
 
     def movable(self) -> list:
         """Clumps, and elements that stand alone."""

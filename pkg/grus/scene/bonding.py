@@ -6,9 +6,8 @@ from grus.errors import GrusError
 from grus.scene.loop import InteractionEngines
 from grus.specimen import Specimen
 
-REACH = (
-    1.01  # of the sum of the radii; pairs that do not touch within Ip2's tolerance stay unbonded
-)
+# Of the sum of the radii; pairs that do not touch within Ip2's tolerance stay unbonded.
+REACH = 1.01
 
 
 def bond(specimen: Specimen, engines: InteractionEngines) -> int:
@@ -17,7 +16,7 @@ def bond(specimen: Specimen, engines: InteractionEngines) -> int:
     Call it once, with the engines in `O.engines` and before anything has moved.
     Raises GrusError when YADE did not find the same bonds as the specimen has.
     """
-    expected = len(specimen.bonds()) if engines_bond() else 0
+    expected = len(specimen.bonds()) if _has_bonds() else 0
     dt, O.dt = O.dt, 0
     engines.reach(REACH)
     engines.ip2.bonding = True
@@ -31,6 +30,6 @@ def bond(specimen: Specimen, engines: InteractionEngines) -> int:
     return made
 
 
-def engines_bond() -> bool:
-    """Whether the grains' material has bonds at all."""
+def _has_bonds() -> bool:
+    """Whether any material of the scene is one of bonded grains."""
     return any(getattr(material, "bond", "none") != "none" for material in O.materials)

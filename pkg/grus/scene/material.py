@@ -24,11 +24,11 @@ def grain_material(card: Card) -> BondMat:
     material.tensileStrength = bond.tensile_strength
     material.shearStrength = bond.shear_strength
     material.bondFrictionAngle = bond.friction_angle
-    material.scatter = bond.scatter.kind
     if bond.scatter.kind == "normal":
         material.scatterParameter = bond.scatter.coefficient_of_variation
     elif bond.scatter.kind == "weibull":
         material.scatterParameter = bond.scatter.modulus
+    material.scatter = bond.scatter.kind
     if bond.grain_scatter is not None:
         material.grainModulus = bond.grain_scatter.modulus
         material.grainReferenceDiameter = bond.grain_scatter.reference_diameter or 0

@@ -3,6 +3,7 @@
 import numpy as np
 
 from grus.card import Card
+from grus.errors import GrusError
 from grus.specimen.agglomerate import agglomerate
 from grus.specimen.mesh import Mesh
 from grus.specimen.outline import Circle, Outline, Sphere
@@ -12,7 +13,7 @@ from grus.specimen.stamp import Stamp
 
 
 def outline_from_card(card: Card) -> Outline:
-    """Outline of the card's grains, scaled to its diameter. Raises ValueError for a bad shape or mesh file."""
+    """Outline of the card's grains, scaled to its diameter. Raises GrusError for a mesh that bounds no body."""
     shape = card.agglomerate
     if shape.outline == "circle":
         return Circle(shape.diameter)
@@ -20,7 +21,10 @@ def outline_from_card(card: Card) -> Outline:
         return Sphere(shape.diameter)
     if shape.outline == "polygon":
         return Polygon(np.array(shape.vertices, dtype=float)).of_diameter(shape.diameter)
-    return Mesh.read(card.mesh_path).of_diameter(shape.diameter)
+    try:
+        return Mesh.read(card.mesh_path).of_diameter(shape.diameter)
+    except GrusError as error:
+        raise GrusError(f'{card.source}: agglomerate.mesh = "{shape.mesh}": {error}') from None
 
 
 def stamp_from_card(card: Card) -> Stamp | None:

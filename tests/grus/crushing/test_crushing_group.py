@@ -101,6 +101,34 @@ def test_folder_of_another_card_is_refused(card, folder):
         crush_group(other, GRAINS, folder)
 
 
+def test_damaged_owner_is_told(card, tmp_path):
+    (tmp_path / "card.json").write_text("{")
+    with pytest.raises(GrusError, match="card.json: damaged, or not of Grus"):
+        crush_group(card, 1, tmp_path)
+
+
+def test_too_few_broken_grains_still_give_a_report(card, tmp_path):
+    strong = card.with_overrides(
+        {"bond.tensile_strength": "1 GPa", "bond.shear_strength": "1 GPa", "crush.max_strain": 2e-4}
+    )
+    group = crush_group(strong, 3, tmp_path, 2)
+    result = write_report(group, tmp_path)
+    assert result["broken"] == 0 and "refused" in result["weibull"]
+    assert "weibull.png" not in result["files"] and (tmp_path / "fragments.png").exists()
+    assert "no fit" in summary(group)
+
+
+def test_open_mesh_is_refused_before_anything_is_written(tmp_path):
+    (tmp_path / "open.stl").write_text(
+        "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid s\n"
+    )
+    model = Card.from_file(MODELS / "montesinho-3d.toml").written
+    model["agglomerate"] |= {"outline": "mesh", "mesh": "open.stl"}
+    with pytest.raises(GrusError, match='mesh.toml: agglomerate.mesh = "open.stl"'):
+        crush_group(Card.from_dict(model, "mesh.toml", tmp_path), 1, tmp_path / "out")
+    assert not (tmp_path / "out").exists()
+
+
 @pytest.mark.parametrize("grains, jobs, message", [(0, 1, "grains = 0"), (3, -1, "jobs = -1")])
 def test_impossible_counts_are_refused(card, tmp_path, grains, jobs, message):
     with pytest.raises(GrusError, match=message):

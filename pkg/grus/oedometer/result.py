@@ -1,0 +1,86 @@
+"""Outcome of an oedometer test."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from grus.card import Card
+from grus.preparation import PreparedSpecimen
+from grus.record import Record
+from grus.scene import Snapshot
+
+SEAT = "seat"
+
+
+@dataclass(frozen=True)
+class StageEnd:
+    """The specimen at rest at the end of a stage.
+
+    number: from 0, which is the seating. kind: 'seat', 'load', 'unload' or 'hold'. target: axial stress [Pa].
+    height [m]; void_ratio by the outlines of the grains [-]; axial_stress and side_stress [Pa]; tension_breaks and
+    shear_breaks: bonds broken since the start; steps: of the whole test so far. state: elements and bonds.
+    """
+
+    number: int
+    kind: str
+    target: float
+    height: float
+    void_ratio: float
+    axial_stress: float
+    side_stress: float
+    tension_breaks: int
+    shear_breaks: int
+    steps: int
+    state: Snapshot
+
+    @property
+    def K0(self) -> float:
+        """Side stress over axial stress [-]."""
+        return self.side_stress / self.axial_stress
+
+    @property
+    def breaks(self) -> int:
+        """Bonds broken since the start."""
+        return self.tension_breaks + self.shear_breaks
+
+
+@dataclass(frozen=True)
+class OedometerResult:
+    """Record and stages of a test; the first stage is the seating, whose end all strains and void ratios refer to."""
+
+    card: Card
+    prepared: PreparedSpecimen
+    bonds: int
+    record: Record
+    stages: tuple[StageEnd, ...]
+
+    @property
+    def seated(self) -> StageEnd:
+        """The specimen before the test."""
+        return self.stages[0]
+
+    @property
+    def stress(self) -> np.ndarray:
+        """Axial stress (n,) of the record [Pa], the mean of both platens."""
+        return (self.record["top_stress"] + self.record["bottom_stress"]) / 2
+
+    @property
+    def void_ratio(self) -> np.ndarray:
+        """Void ratio (n,) of the record by the outlines of the grains [-]."""
+        volume_of_height = self.prepared.box_volume / self.prepared.height
+        return volume_of_height * self.record["height"] / self.prepared.outline_volume - 1
+
+    @property
+    def broken(self) -> np.ndarray:
+        """Bonds broken (n,) of the record since the start."""
+        return self.record["tension_breaks"] + self.record["shear_breaks"]
+
+    @property
+    def energy_error(self) -> np.ndarray:
+        """Work that no energy accounts for (n,), over the largest work so far [-]."""
+        r = self.record
+        stored = r["elastic_energy"] + r["kinetic_energy"]
+        # Elastic energy is there from the start: contacts are found again by their overlaps.
+        spent = stored - stored[0] + r["released_energy"] + r["sliding_work"] + r["damped_energy"]
+        most = np.maximum.accumulate(np.abs(r["work"]))
+        return np.divide(r["work"] - spent, most, out=np.zeros_like(most), where=most > 0)
