@@ -17,7 +17,7 @@ inline double springEnergy(double force, double k) { return k > 0 ? force * forc
 /// Energy [J] that leaves a spring of stiffness `k` when a step would take its force from `before` to `trial` but the
 /// force ends at `after`: by sliding, or because a bond breaks. Leapfrog moves the bodies against the mean of the
 /// forces at both ends of the step, so this is that work less the change of the stored energy, and the balance closes
-/// exactly.
+/// exactly in each step.
 inline double lostEnergy(double before, double trial, double after, double k) {
     return k > 0 ? (before + after) * (trial - after) / (2 * k) : 0;
 }

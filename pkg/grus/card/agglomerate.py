@@ -53,7 +53,7 @@ class Agglomerate(Section):
     )
     leftover: Literal["single", "merge"] = key(
         Choice(("single", "merge")),
-        "Elements that no stamp claimed: left single, or merged into a neighbouring clump.",
+        "Elements caught alone, or by no stamp: left single, or merged into a neighbouring clump.",
         default="single",
     )
     stamp_share: float = key(

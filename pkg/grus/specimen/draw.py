@@ -30,9 +30,12 @@ def draw(
     axes: Axes | None = None,
     *,
     bonds: bool = False,
+    colour: np.ndarray | None = None,
     view: tuple[float, float] = (20.0, 30.0),
 ) -> Axes:
-    """Draw the elements, coloured by clump so that clumps that touch differ in colour.
+    """Draw the elements, coloured by clump so that clumps that touch differ, or in the colours given.
+
+    colour (n, 3): red, green and blue of each element, 0 to 1; None: by clump.
 
     A plane specimen is drawn as discs, the discs of a clump joined by webs; `bonds` adds a stitch
     across each bonded contact. A specimen in space is drawn as shaded spheres in parallel
@@ -46,7 +49,8 @@ def draw(
     if axes is None:
         axes = Figure(figsize=(5, 5), layout="constrained").add_subplot()
     pairs = touching_pairs(specimen.position, specimen.radius)
-    colour = PALETTE[_clump_colours(specimen, pairs)][specimen.clump]
+    if colour is None:
+        colour = PALETTE[_clump_colours(specimen, pairs)][specimen.clump]
     if specimen.dimension == 2:
         seen = 1e3 * specimen.position[:, :2]
         _draw_discs(axes, specimen, seen, colour, pairs)
