@@ -37,7 +37,7 @@ def checked_columns(
 def loading_curve(
     stress: np.ndarray, name: str, value: np.ndarray, seating: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """log10 of the stress / 1 Pa, and the value, of the readings of first loading from `seating` on.
+    """Stress and value of the readings of first loading from `seating` on.
 
     stress [Pa], value: (n,) in the order of the test. Raises GrusError as `checked_columns`, and
     when fewer than seven readings are left.
@@ -47,4 +47,4 @@ def loading_curve(
     used = first_loading(stress) & (stress >= seating)
     count = int(used.sum())
     require(count >= FEWEST, "readings of first loading", count, f"at least {FEWEST}")
-    return np.log10(stress[used]), value[used]
+    return stress[used], value[used]

@@ -56,12 +56,13 @@ def breakage_onset(
     Raises GrusError as `yield_stress`.
     """
     require(0 < confidence < 1, "confidence", confidence, "in (0, 1)")
-    place, value = loading_curve(stress, "broken", broken, seating)
-    counted = bool((np.diff(value) >= 0).all())
-    first, between = _first_break(10**place, value) if counted else (None, None)
-    if counted and value[-1] == value[0]:
+    stress, broken = loading_curve(stress, "broken", broken, seating)
+    counted = bool((np.diff(broken) >= 0).all())
+    first, between = _first_break(stress, broken) if counted else (None, None)
+    if counted and broken[-1] == broken[0]:
         return BreakageOnset(first, between, None, None, None, None, None, 0.0, confidence)
-    curve = Counts(place, value) if counted else Readings(place, value, sense=1)
+    place = np.log10(stress)
+    curve = Counts(place, broken) if counted else Readings(place, broken, sense=1)
     found = find_breaks(curve, 2, confidence)
     evidence = found.criterion[0] - min(found.criterion)
     if not found.places:

@@ -56,7 +56,8 @@ def yield_stress(
     """The yield of a compression curve, or None when a law without yield describes it as well.
 
     stress [Pa], void_ratio [-]: (n,) in the order of the test, unloading and holds included; only
-        readings of first loading are used, those below `seating` [Pa] left out.
+        readings of first loading are used, those below `seating` [Pa] left out. Give one reading
+        a stage for the curve that joins the ends of stages.
 
     Two straight lines over log10 stress, the second steeper and joined by a kink or a narrow bend,
     are compared with one law for the whole curve: a straight line, and the stiffness of Janbu
@@ -64,8 +65,8 @@ def yield_stress(
     of first loading and for columns that are no equal lists of finite numbers.
     """
     require(0 < confidence < 1, "confidence", confidence, "in (0, 1)")
-    place, value = loading_curve(stress, "void_ratio", void_ratio, seating)
-    curve = Readings(place, value, sense=-1, widths=WIDTHS)
+    stress, void_ratio = loading_curve(stress, "void_ratio", void_ratio, seating)
+    curve = Readings(np.log10(stress), void_ratio, sense=-1, widths=WIDTHS)
     found = find_breaks(curve, 1, confidence)
     if not found.places:
         return None

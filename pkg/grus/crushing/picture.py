@@ -35,8 +35,7 @@ def fragment_picture(results: Sequence[CrushingResult], size: float = 2.6) -> Fi
     panels = above.subplots(rows, columns, squeeze=False).ravel()
     half = 0.75e3 * max(result.gap for result in shown)
     for axes, result in zip(panels, shown):
-        draw_fragments(axes, result)
-        axes.set(xlim=(-half, half), ylim=(-half, half), aspect="equal")
+        draw_fragments(axes, result, half)
         axes.set_title(f"grain {result.grain}: {result.strength / 1e6:.2f} MPa", fontsize=9)
     for axes in panels[len(shown) :]:
         axes.set_axis_off()
@@ -53,14 +52,19 @@ def _key(plane: bool) -> list[Artist]:
     return [fragment, single, *cracks] if plane else [fragment, single]
 
 
-def draw_fragments(axes: Axes, result: CrushingResult) -> None:
-    """The end of one test; a plane grain with its broken bonds, a grain in space as it is seen."""
+def draw_fragments(axes: Axes, result: CrushingResult, half: float | None = None) -> None:
+    """The end of one test; a plane grain with its broken bonds, a grain in space as it is seen.
+
+    half: what is shown to each side of the middle [mm]; three quarters of the initial gap when None.
+    """
+    half = 0.75e3 * result.gap if half is None else half
     colour = _fragment_colours(result)
     if result.specimen.dimension == 3:
         draw(replace(result.specimen, position=result.after.position), axes, colour=colour)
     else:
         _draw_discs(axes, result, colour)
         _draw_broken(axes, result)
+    axes.set(xlim=(-half, half), ylim=(-half, half), aspect="equal")
     axes.set_xticks([])
     axes.set_yticks([])
     axes.set_xlabel("")

@@ -16,6 +16,8 @@ from grus.preparation.walls import wall_box
 from grus.scene import grain_material
 from grus.specimen import Specimen
 
+EAGER, CAREFUL = 0.4, 0.05
+"""Shares of the stress error that the servo removes in a step, for soft and for hard grains."""
 ROUGH = 0.02
 """Unbalanced force at which grains count as resting here; the seating goes on from there."""
 OPENING, WIDENING = 10, 4
@@ -64,7 +66,7 @@ class Compaction:
         """
         press, target = self.press, self.card.specimen.void_ratio
         enough = target + ENOUGH * self.card.preparation.void_ratio_tolerance
-        press.expect(ROUGH, QUIET // 5)
+        self._rush()
         resting, stop, first = press.to_rest(target), target, None
         for _ in range(CYCLES):
             dense = True
@@ -76,7 +78,8 @@ class Compaction:
             if after <= enough or not dense:
                 break
             stop = min(target + max(before - after, 0), after)
-            self._soften()
+            press.set_stiffness(self.soft)
+            self._rush()
             resting = True
         return first, after
 
@@ -117,12 +120,13 @@ class Compaction:
         press.open([*sides, OPENING * overlap], RELEASE)
         press.set_stiffness(self.final)
         press.set_friction(self.card.contact.friction_coefficient)
+        press.servo.relaxation = CAREFUL
         press.expect(ROUGH, QUIET)
         press.to_rest()
         return press.void_ratio
 
-    def _soften(self) -> None:
-        self.press.set_stiffness(self.soft)
+    def _rush(self) -> None:
+        self.press.servo.relaxation = EAGER
         self.press.expect(ROUGH, QUIET // 5)
 
 

@@ -1,0 +1,26 @@
+"""What a contact still holds when it opens is booked as work of sliding."""
+
+import grus  # noqa: F401  loads YADE
+import pytest
+from yade import O, utils
+from yade.wrapper import BondMat, NewtonIntegrator
+
+from grus.scene import InteractionEngines
+
+KS = 1e6  # of one body; two in series make the contact
+
+
+def test_shear_energy_of_a_pair_that_is_pulled_apart():
+    O.materials.append(BondMat(kn=2e6, ks=KS, frictionAngle=0.8))
+    ids = [O.bodies.append(utils.sphere((x, 0, 0), 1.0, fixed=True)) for x in (0.0, 1.999)]
+    moving = O.bodies[ids[1]].state
+    engines = InteractionEngines()
+    O.engines = engines.list + [NewtonIntegrator(damping=0)]
+    O.dt = 1e-3
+    # Press, shear below the friction limit, and pull apart within one step.
+    for velocity, steps in (((-0.1, 0, 0), 10), ((0, 0.02, 0), 10), ((10, 0, 0), 3)):
+        moving.vel = velocity
+        O.run(steps, True)
+    slip = 0.02 * 10 * O.dt
+    assert not any(i.isReal for i in O.interactions)
+    assert engines.ledger.slidingWork == pytest.approx(0.5 * (KS / 2) * slip**2, rel=1e-3)
