@@ -21,7 +21,7 @@ Curves = Mapping[str, tuple[np.ndarray, np.ndarray]]
 _FEW = 40
 """Readings up to this number are marked one by one."""
 
-_BEYOND = 1.3
+_BEYOND = 1.15
 """By which factor of stress the lines are drawn past the point where they meet."""
 _DASHES = {"linestyle": (0, (4, 2.5)), "color": BLACK, "linewidth": 0.9, "zorder": 3.5}
 
