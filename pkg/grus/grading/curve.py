@@ -99,8 +99,8 @@ class Grading:
         above = int(np.searchsorted(self.passing, percent))
         found = f"{self.passing[0]:g} % at the smallest sieve, {self.sizes[0]:g} m"
         require(above > 0 or self.passing[0] == percent, "passing", found, f"at most {percent:g} %")
-        if above == 0:
-            return float(self.sizes[0])
+        if self.passing[above] == percent:
+            return float(self.sizes[above])
         low, high = self.passing[above - 1 : above + 1]
         left, right = np.log(self.sizes[above - 1 : above + 1])
         return float(np.exp(left + (right - left) * (percent - low) / (high - low)))

@@ -21,7 +21,8 @@ AFTER = Grading([0.1e-3, 100e-3], [0, 100])
 
 
 def test_nothing_broke():
-    measures = Breakage.between(BEFORE, BEFORE, dimension=3, smallest=0.1e-3)
+    grading = Grading([10e-3, 20e-3, 100e-3], [0, 30, 100])
+    measures = Breakage.between(grading, grading, dimension=3, smallest=0.1e-3)
     assert measures == Breakage(0.0, 0.0, 0.0, 1.0, 0.0)
 
 

@@ -46,7 +46,7 @@ def test_no_sampled_direction_is_narrower(dimension):
         width = principal_widths(points)[0]
         assert width <= sampled + 1e-12
         if size > dimension:
-            assert sampled == pytest.approx(width, rel=0.05)
+            assert sampled == pytest.approx(width, rel=0.1)
 
 
 def test_packing_with_many_equal_facets():
