@@ -4,18 +4,33 @@
 
 namespace yade {
 
-void BondPhys::carry(const grus::physics::BondLoad& load) {
-    bondNormal = load.normal;
-    bondShear = load.shear;
-    bondBending = load.bending;
-    bondTwist = load.twist;
+grus::physics::PairConstants BondPhys::constants() const {
+    return {static_cast<grus::physics::BondKind>(bondKind),
+            kn,
+            ks,
+            tangensOfFrictionAngle,
+            bondKind == BondMat::ParallelBond ? stiffness() : grus::physics::BondStiffness{},
+            section(),
+            bondRadius,
+            momentContribution};
 }
 
-Real BondPhys::elasticEnergy() const {
-    using namespace grus::physics;
-    const Real contact = springEnergy(contactNormal, kn) + springEnergy(contactShear.norm(), ks);
-    return bonded && bondKind == BondMat::ParallelBond ? contact + bondEnergy(load(), stiffness()) : contact;
+grus::physics::PairState BondPhys::state() const { return {bonded, contactNormal, contactShear, load(), lastNormal}; }
+
+void BondPhys::carry(const grus::physics::PairState& state, const Vector3r& normal) {
+    bonded = state.bonded;
+    contactNormal = state.contactNormal;
+    contactShear = state.contactShear;
+    bondNormal = state.load.normal;
+    bondShear = state.load.shear;
+    bondBending = state.load.bending;
+    bondTwist = state.load.twist;
+    lastNormal = normal;
+    normalForce = (contactNormal + bondNormal) * normal;
+    shearForce = contactShear + bondShear;
 }
+
+Real BondPhys::elasticEnergy() const { return grus::physics::pairEnergy(state(), constants()); }
 
 grus::physics::BondStress BondPhys::stress() const {
     if (!bonded)

@@ -2,7 +2,7 @@
 
 #include <pkg/dem/FrictPhys.hpp>
 
-#include <physics/bond.hpp>
+#include <physics/pairlaw.hpp>
 
 namespace yade {
 
@@ -15,7 +15,10 @@ public:
     grus::physics::BondStiffness stiffness() const { return grus::physics::bondStiffness(bondKn, bondKs, section()); }
     grus::physics::BondStrength strength() const { return {tensileStrength, shearStrength, bondTanPhi}; }
     grus::physics::BondLoad load() const { return {bondNormal, bondShear, bondBending, bondTwist}; }
-    void carry(const grus::physics::BondLoad&);
+    grus::physics::PairConstants constants() const;
+    grus::physics::PairState state() const;
+    /// Takes over what the law made of state(), and the forces that follow from it.
+    void carry(const grus::physics::PairState&, const Vector3r& normal);
 
     grus::physics::BondStress stress() const;
 

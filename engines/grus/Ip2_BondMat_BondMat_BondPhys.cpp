@@ -43,6 +43,15 @@ Real strengthFactor(const BondMat& m, const BondState& one, const BondState& two
 
 }
 
+boost::shared_ptr<BondPhys> Ip2_BondMat_BondMat_BondPhys::contact(const BondMat& a, Real radiusA, const BondMat& b,
+                                                                  Real radiusB) {
+    boost::shared_ptr<BondPhys> phys(new BondPhys);
+    phys->kn = physics::inSeries(normalStiffness(a, radiusA), normalStiffness(b, radiusB));
+    phys->ks = physics::inSeries(shearStiffness(a, radiusA), shearStiffness(b, radiusB));
+    phys->tangensOfFrictionAngle = std::tan(std::min(a.frictionAngle, b.frictionAngle));
+    return phys;
+}
+
 void Ip2_BondMat_BondMat_BondPhys::go(const boost::shared_ptr<Material>& m1, const boost::shared_ptr<Material>& m2,
                                       const boost::shared_ptr<Interaction>& interaction) {
     if (interaction->phys)
@@ -50,10 +59,7 @@ void Ip2_BondMat_BondMat_BondPhys::go(const boost::shared_ptr<Material>& m1, con
     const auto& geom = *static_cast<ScGeom*>(interaction->geom.get());
     const auto& a = *static_cast<BondMat*>(m1.get());
     const auto& b = *static_cast<BondMat*>(m2.get());
-    boost::shared_ptr<BondPhys> phys(new BondPhys);
-    phys->kn = physics::inSeries(normalStiffness(a, geom.radius1), normalStiffness(b, geom.radius2));
-    phys->ks = physics::inSeries(shearStiffness(a, geom.radius1), shearStiffness(b, geom.radius2));
-    phys->tangensOfFrictionAngle = std::tan(std::min(a.frictionAngle, b.frictionAngle));
+    const auto phys = contact(a, geom.radius1, b, geom.radius2);
     interaction->phys = phys;
     if (bonding && m1 == m2)
         bond(*phys, a, *interaction);

@@ -15,6 +15,9 @@ public:
                     const boost::shared_ptr<Interaction>& interaction) override;
     FUNCTOR2D(BondMat, BondMat);
 
+    /// A contact without a bond of two bodies with these materials and radii [m].
+    static boost::shared_ptr<BondPhys> contact(const BondMat& a, Real radiusA, const BondMat& b, Real radiusB);
+
     // clang-format off
     YADE_CLASS_BASE_DOC_ATTRS(Ip2_BondMat_BondMat_BondPhys, IPhysFunctor,
         "Makes :yref:`BondPhys` from two :yref:`BondMat`. While :yref:`bonding<Ip2_BondMat_BondMat_BondPhys.bonding>` is on, two elements of one grain and one material that touch are bonded where they stand, without any force. Needs :yref:`ScGeom`.",

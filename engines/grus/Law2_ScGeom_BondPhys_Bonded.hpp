@@ -23,11 +23,7 @@ public:
     // clang-format on
 
 private:
-    struct Motion; // relative motion of a pair in one step
-    void contactBond(BondPhys&, const Motion&, const Interaction&, const Vector3r& place) const;
-    void parallelBond(BondPhys&, const Motion&, const Interaction&, const Vector3r& place) const;
-    void frictionalContact(BondPhys&, const Motion&) const;
-    void breakBond(BondPhys&, grus::physics::Breakage, Real released, const Interaction&, const Vector3r& place) const;
+    void book(BondPhys&, const grus::physics::PairEvents&, const Interaction&, const Vector3r& place) const;
 };
 REGISTER_SERIALIZABLE(Law2_ScGeom_BondPhys_Bonded);
 

@@ -5,6 +5,8 @@
 #include <core/Body.hpp>
 #include <pkg/common/NormShearPhys.hpp>
 
+#include <grus/LiveScene.hpp>
+
 namespace yade {
 
 State& platen(int id, Scene& scene, const char* engine) {
@@ -16,6 +18,8 @@ State& platen(int id, Scene& scene, const char* engine) {
 }
 
 Real contactStiffness(int id, Scene& scene) {
+    if (const LiveScene* live = LiveScene::of(scene))
+        return live->contactStiffness(id);
     Real sum = 0;
     for (const auto& [other, interaction] : Body::byId(id, &scene)->intrs)
         if (const auto* phys = dynamic_cast<const NormPhys*>(interaction->phys.get()))

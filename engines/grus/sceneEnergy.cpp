@@ -5,10 +5,13 @@
 #include <core/InteractionContainer.hpp>
 
 #include <grus/BondPhys.hpp>
+#include <grus/LiveScene.hpp>
 
 namespace yade {
 
 Real kineticEnergy(const Scene& scene) {
+    if (const LiveScene* live = LiveScene::of(scene))
+        return live->kineticEnergy();
     Real sum = 0;
     for (const auto& body : scene.bodies->body) {
         if (!body || body->isClumpMember() || body->state->blockedDOFs == State::DOF_ALL)
@@ -21,6 +24,8 @@ Real kineticEnergy(const Scene& scene) {
 }
 
 Real elasticEnergy(const Scene& scene) {
+    if (const LiveScene* live = LiveScene::of(scene))
+        return live->elasticEnergy();
     Real sum = 0;
     for (const auto& interaction : *scene.interactions) {
         if (!interaction->isReal())

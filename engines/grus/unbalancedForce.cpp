@@ -5,6 +5,8 @@
 #include <core/InteractionContainer.hpp>
 #include <pkg/common/NormShearPhys.hpp>
 
+#include <grus/LiveScene.hpp>
+
 namespace yade {
 
 namespace {
@@ -30,6 +32,8 @@ Vector3r free(Vector3r force, unsigned blocked) {
 }
 
 Real unbalancedForce(Scene& scene) {
+    if (const LiveScene* live = LiveScene::of(scene))
+        return live->unbalancedForce();
     Real resultants = 0, contacts = 0;
     int bodies = 0, count = 0;
     for (const auto& body : scene.bodies->body) {

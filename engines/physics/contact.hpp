@@ -29,7 +29,7 @@ inline double lostEnergy(const Vec3& before, const Vec3& trial, const Vec3& afte
 /// The shear force [N], limited to `limit` [N].
 inline Vec3 slide(const Vec3& trial, double limit) {
     const double force = trial.norm();
-    return force > limit ? Vec3(trial * (limit / force)) : trial;
+    return trial * (force > limit ? limit / force : 1);
 }
 
 }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include <physics/smallangle.hpp>
 #include <physics/vector.hpp>
 
 namespace grus::physics {
@@ -10,21 +11,31 @@ namespace grus::physics {
 /// Turns `v` by the smallest rotation that brings the unit vector `from` onto the unit vector `to`.
 /// Exact for any angle below pi, so that lengths (and energies) do not creep over many turns.
 inline Vec3 turn(const Vec3& v, const Vec3& from, const Vec3& to) {
-    const Vec3 axis = from.cross(to); // length = sine of the angle
+    const Vec3 axis = cross(from, to); // length = sine of the angle
     const double cosine = from.dot(to);
-    return v * cosine + axis.cross(v) + axis * (axis.dot(v) / (1 + cosine));
+    return v * cosine + cross(axis, v) + axis * (axis.dot(v) / (1 + cosine));
+}
+
+/// Turns `v` about the unit vector `n` by the angle of sine `s` and cosine `c`.
+inline Vec3 spin(const Vec3& v, const Vec3& n, double s, double c) {
+    return v * c + cross(n, v) * s + n * (n.dot(v) * (1 - c));
 }
 
 /// Turns `v` by `angle` [rad] about the unit vector `n`.
 inline Vec3 spin(const Vec3& v, const Vec3& n, double angle) {
-    const double c = std::cos(angle), s = std::sin(angle);
-    return v * c + n.cross(v) * s + n * (n.dot(v) * (1 - c));
+    const bool small = std::abs(angle) < smallAngle;
+    return spin(v, n, small ? smallSine(angle) : std::sin(angle), small ? smallCosine(angle) : std::cos(angle));
 }
 
 /// Vector in the contact plane after the contact normal went from `before` to `after` and the pair rolled by the
 /// mean angle `roll` [rad] about it. What rounding leaves along the new normal is dropped.
 inline Vec3 transport(const Vec3& v, const Vec3& before, const Vec3& after, double roll) {
     return across(spin(turn(v, before, after), after, roll), after);
+}
+
+/// The same for rolls below `smallAngle`, without a branch.
+inline Vec3 transportSmall(const Vec3& v, const Vec3& before, const Vec3& after, double roll) {
+    return across(spin(turn(v, before, after), after, smallSine(roll), smallCosine(roll)), after);
 }
 
 }

@@ -12,6 +12,7 @@ CLASSES = [
     grus.BondState,
     grus.BondTimeStepper,
     grus.CrushingPlatens,
+    grus.GrainLoop,
     grus.InteractionSorter,
     grus.Ip2_BondMat_BondMat_BondPhys,
     grus.Law2_ScGeom_BondPhys_Bonded,

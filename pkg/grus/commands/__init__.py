@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import typer
 
-from grus.commands import card, crush, info, verify
+from grus.commands import bench, card, crush, info, verify
 from grus.commands.run import run
 
 app = typer.Typer(
@@ -15,6 +15,7 @@ app = typer.Typer(
     add_completion=False,
     pretty_exceptions_enable=False,
 )
+app.command()(bench.bench)
 app.command()(card.card)
 app.command()(crush.crush)
 app.command()(info.info)

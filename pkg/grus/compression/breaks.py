@@ -15,8 +15,9 @@ class Curve(Protocol):
     """What a curve with a noise law has to tell; deviance is -2 log likelihood.
 
     count: number of readings. bounds: lowest and highest place of a break.
-    line(): deviance without a break. one(at (k,)): with one break, (k,). two(first (j,), last (k,)):
-    with two, (j, k). Infinite where the last break bends the wrong way or has no room.
+    line(): deviance without a break. one(at (k,)): with one break, (k,). two(first (j,), last
+    (k,)): with two, (j, k). Infinite where the last break bends the wrong way or has no room.
+    slopes(places): value at the last break, slopes (b + 1,) from break to break, their width.
     allowed(breaks, confidence): rise of the deviance at the ends of the interval of the last break.
     """
 
@@ -33,6 +34,9 @@ class Curve(Protocol):
         ...
 
     def allowed(self, breaks: int, confidence: float) -> float:
+        ...
+
+    def slopes(self, places: tuple[float, ...]) -> tuple[float, np.ndarray, float]:
         ...
 
 

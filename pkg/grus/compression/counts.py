@@ -6,6 +6,7 @@ from scipy.stats import chi2
 from scipy.stats import f as f_law
 
 from grus.compression.breaks import GRID, PAIR_GRID
+from grus.compression.loading import break_bounds
 
 MOST = 60
 """Readings that are kept, spread evenly over x; what happened between them is counted together."""
@@ -30,9 +31,12 @@ class Counts:
         self.x, self.start = x, float(y[0])
         self.events = np.diff(y)
         self.count = len(self.events)
-        self.bounds = (float(x[1]), float(x[-3]))
         self.dispersion = 1.0
         self.dispersion = self._dispersion(least)
+
+    @property
+    def bounds(self) -> tuple[float, float]:
+        return break_bounds(self.x)
 
     def line(self) -> float:
         return float(self._deviance(self._fitted(np.empty((1, 0)))[1])[0])

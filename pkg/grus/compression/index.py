@@ -24,8 +24,8 @@ def compression_index(
 ) -> CompressionIndex:
     """Index of one segment of a test: Cc of first loading, Cs (swelling) of an unloading.
 
-    stress [Pa], void_ratio [-]: (n,) of the segment, in any order. A straight line over log10 stress
-    by generalised least squares, with the noise that `Readings` has.
+    stress [Pa], void_ratio [-]: (n,) of the segment, in any order. A straight line over
+    log10 stress by generalised least squares, with the noise that `Readings` has.
     Raises GrusError for fewer than three readings, stresses that are not positive or all equal, and
     columns that are no equal lists of finite numbers.
     """
@@ -37,6 +37,7 @@ def compression_index(
     require(lowest < highest, "stress", f"{lowest:g} throughout", "of different values")
     order = np.argsort(stress, kind="stable")
     curve = Readings(np.log10(stress[order]), void_ratio[order], sense=-1)
+    require(curve.count >= 3, "readings apart in log stress", curve.count, "at least 3")
     slope, error = curve.slope()
     reach = t_law.ppf(0.5 + confidence / 2, curve.count - 2) * error
     return CompressionIndex(-slope, (-slope - reach, -slope + reach), float(confidence))

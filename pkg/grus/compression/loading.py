@@ -5,7 +5,9 @@ import numpy as np
 from grus.specimen.require import require
 
 FEWEST = 7
-"""Stress levels without which no break of a line is looked for."""
+"""Readings of first loading without which no break of a line is looked for."""
+APART = 6
+"""How many of them must be left after those next to each other have been taken together."""
 
 
 def first_loading(stress: np.ndarray) -> np.ndarray:
@@ -48,3 +50,12 @@ def loading_curve(
     count = int(used.sum())
     require(count >= FEWEST, "readings of first loading", count, f"at least {FEWEST}")
     return stress[used], value[used]
+
+
+def break_bounds(x: np.ndarray) -> tuple[float, float]:
+    """Lowest and highest place of a break between the rising readings x (n,) [log10 stress].
+
+    Two readings are needed before it and three from it on. Raises GrusError for fewer than six.
+    """
+    require(len(x) >= APART, "readings apart in log stress", len(x), f"at least {APART}")
+    return float(x[1]), float(x[-3])

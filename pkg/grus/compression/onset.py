@@ -51,13 +51,13 @@ def breakage_onset(
         those below `seating` [Pa] left out.
 
     Lines over log10 stress with no, one or two breaks are compared; the onset is the last break, at
-    which breakage must turn steeper. A measure that never falls is taken for a count of events, with
-    Poisson's noise and a dispersion; one that falls somewhere for readings with noise of their own.
+    which breakage must turn steeper. A measure that is never negative and never falls is taken for
+    a count of events, with Poisson's noise and a dispersion; others for readings with noise.
     Raises GrusError as `yield_stress`.
     """
     require(0 < confidence < 1, "confidence", confidence, "in (0, 1)")
     stress, broken = loading_curve(stress, "broken", broken, seating)
-    counted = bool((np.diff(broken) >= 0).all())
+    counted = bool(broken[0] >= 0 and (np.diff(broken) >= 0).all())
     first, between = _first_break(stress, broken) if counted else (None, None)
     if counted and broken[-1] == broken[0]:
         return BreakageOnset(first, between, None, None, None, None, None, 0.0, confidence)

@@ -6,11 +6,15 @@ import numpy as np
 from scipy.linalg import cholesky, solve_triangular
 from scipy.stats import f as f_law
 
+from grus.compression.loading import break_bounds
+
 MOST, FINE = 120, 1200
 """Readings that are kept; more are averaged over equal steps of x, and so are the lines, which are
 drawn with the second number of points."""
 WANDER = np.concatenate([[0.0], 10.0 ** np.arange(-2.0, 4.5, 0.5)])
 """Ratios tried of the variance of the wander over the whole range to that of a reading."""
+FOR_TWO = 15
+"""Readings without which two breaks, with their six parameters, follow the noise."""
 FINEST = 1e-6
 """Smallest noise of a reading, as a share of the range of all; keeps exact data harmless."""
 
@@ -37,7 +41,6 @@ class Readings:
         self._fine, self._steps = x, _steps(x, MOST) if len(x) > MOST else None
         self.x, self.y = self._coarse(x), self._coarse(y)
         self.count = len(self.x)
-        self.bounds = (float(self.x[1]), float(self.x[-3]))  # two readings before, three after
         self._sense = sense
         self._scale = np.ptp(self.y) or 1.0
         place = (self.x - self.x[0]) / (self.x[-1] - self.x[0])
@@ -54,6 +57,10 @@ class Readings:
             for root, size in self._noise
         )
 
+    @property
+    def bounds(self) -> tuple[float, float]:
+        return break_bounds(self.x)
+
     def line(self) -> float:
         return float(self.deviance(self._straight))
 
@@ -67,6 +74,7 @@ class Readings:
     def two(self, first: np.ndarray, last: np.ndarray) -> np.ndarray:
         best = np.full((len(first), len(last)), np.inf)
         room = np.searchsorted(self.x, last) - np.searchsorted(self.x, first, "right")[:, None] >= 2
+        room &= self.count >= FOR_TWO
         j, k = np.arange(len(first))[:, None], len(first) + np.arange(len(last))[None, :]
         for rest, bends, along, size in self._bends(np.concatenate([first, last])):
             product = bends.T @ bends

@@ -61,8 +61,9 @@ def yield_stress(
 
     Two straight lines over log10 stress, the second steeper and joined by a kink or a narrow bend,
     are compared with one law for the whole curve: a straight line, and the stiffness of Janbu
-    (1963), void ratio = a - b stress^c with 0 < c <= 1, of which c = 1 is linear elasticity. Raises GrusError for fewer than seven readings
-    of first loading and for columns that are no equal lists of finite numbers.
+    (1963), void ratio = a - b stress^c with 0 < c <= 1, of which c = 1 is linear elasticity.
+    Raises GrusError for fewer than seven readings of first loading, stresses too close to each
+    other, and columns that are no equal lists of finite numbers.
     """
     require(0 < confidence < 1, "confidence", confidence, "in (0, 1)")
     stress, void_ratio = loading_curve(stress, "void_ratio", void_ratio, seating)

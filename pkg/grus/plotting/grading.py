@@ -32,7 +32,7 @@ def grading_plot(
     """
     if not gradings:
         raise GrusError("gradings: none given; a grading plot needs at least one")
-    figure, axes = new_figure(size, key_rows=1 + len(gradings))
+    figure, axes = new_figure(size, key_rows=2 + len(gradings))  # rows with subscripts are taller
     panels = [axes]
     if len(gradings) > 1:
         axes.remove()

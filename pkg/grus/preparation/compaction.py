@@ -16,18 +16,19 @@ from grus.preparation.walls import wall_box
 from grus.scene import grain_material
 from grus.specimen import Specimen
 
-EAGER, CAREFUL = 0.4, 0.05
-"""Shares of the stress error that the servo removes in a step, for soft and for hard grains."""
+EAGER = 0.4
+"""Share of the stress error that the servo removes in a step."""
 ROUGH = 0.02
 """Unbalanced force at which grains count as resting here; the seating goes on from there."""
-OPENING, WIDENING = 10, 4
-"""Ways by which platens and sides open to let go of the overlaps, in mean overlaps."""
+OPENING = 2
+"""Way by which opposite walls move apart to let go of the overlaps, over an overlap for each grain across."""
 RELEASE = 400
 """Time steps in which they open."""
 BEAT, TAPS = 1000, 60
 """Time steps from one tap to the next, and how many taps there are at most."""
 SOFTEST_TAP, HARDEST_TAP = 0.7, 5.0
 """Largest speed that the first and the last tap give a grain, over root(stress / density)."""
+MEETING = 2000
 CYCLES = 12
 ENOUGH = 0.6
 """Share of the tolerance within which the void ratio is met; the rest is room for the seating."""
@@ -39,7 +40,7 @@ class Compaction:
     parts: the grains, joined, each at the place of its exo-sphere; size: of the box [m]; attempt: number of the packing.
     """
 
-    def __init__(self, card: Card, parts: Specimen, size: np.ndarray, attempt: int) -> None:
+    def __init__(self, card: Card, parts: Specimen, size: np.ndarray, attempt: int = 0) -> None:
         self.card, self.grains = card, parts
         self.final = element_stiffness(grain_material(card), card.element.radius)
         self.soft = min(self.final, soft_stiffness(card, parts))
@@ -66,12 +67,12 @@ class Compaction:
         """
         press, target = self.press, self.card.specimen.void_ratio
         enough = target + ENOUGH * self.card.preparation.void_ratio_tolerance
-        self._rush()
-        resting, stop, first = press.to_rest(target), target, None
+        press.servo.relaxation = EAGER
+        press.expect(ROUGH, QUIET // 5)
+        stop, first = target + self.card.preparation.void_ratio_tolerance, None
+        press.run(self._closing_steps(), stop)
         for _ in range(CYCLES):
-            dense = True
-            if resting and press.void_ratio > enough:
-                dense = self._densify(stop)
+            dense = press.void_ratio <= max(stop, enough) or self._densify(stop)
             before = press.void_ratio
             after = self._settle()
             first = after if first is None else first
@@ -79,14 +80,21 @@ class Compaction:
                 break
             stop = min(target + max(before - after, 0), after)
             press.set_stiffness(self.soft)
-            self._rush()
-            resting = True
+            press.expect(ROUGH, QUIET // 5)
         return first, after
 
     def result(self) -> tuple[Specimen, np.ndarray]:
         """The grains as they were made, clumps and all, where they lie now; corners (2, dimension) of the box [m]."""
         placed = fit_rigid(self.grains, self.press.positions())
         return replace(self.grains, position=placed), np.array(wall_box(self.press.walls))
+
+    def _closing_steps(self) -> int:
+        """Time steps in which the platens close to the box asked for, twice over, and some to meet resistance."""
+        lower, upper = wall_box(self.press.walls)
+        height = float(upper[-1] - lower[-1])
+        ratio = (1 + self.card.specimen.void_ratio) / (1 + self.press.void_ratio)
+        way = max(height * (1 - ratio), 0)
+        return MEETING + int(way / (self.card.preparation.compaction_speed * O.dt))
 
     def _densify(self, stop: float) -> bool:
         """Takes friction from the grains and taps them harder and harder; whether the void ratio falls to `stop`."""
@@ -108,26 +116,22 @@ class Compaction:
             grain.state.vel = tuple(kick.tolist())
 
     def _settle(self) -> float:
-        """Opens the box until overlaps are gone, then closes the platens on hard, rough grains; the void ratio at rest.
+        """Gives friction back and lets all come to rest, with soft and then with hard contacts; the void ratio then.
 
-        Hardening contacts as they are would lock stress between the sides. The sides stay where they are then, a few
-        micrometres wider.
+        In between the box opens until overlaps are gone: hardening contacts as they are would lock stress between the
+        sides. The sides then stay a little wider.
         """
         press, p = self.press, self.card.preparation
-        press.set_friction(p.friction)
-        overlap = p.compaction_overlap * self.card.element.radius
-        sides = [WIDENING * overlap] * (self.card.dimension - 1)
-        press.open([*sides, OPENING * overlap], RELEASE)
-        press.set_stiffness(self.final)
         press.set_friction(self.card.contact.friction_coefficient)
-        press.servo.relaxation = CAREFUL
+        press.to_rest()
+        overlap = OPENING * p.compaction_overlap * self.card.element.radius
+        lower, upper = wall_box(press.walls)
+        across = (upper - lower) / self.grains.grain_diameter.mean()
+        press.open((across * overlap).tolist(), RELEASE)
+        press.set_stiffness(self.final)
         press.expect(ROUGH, QUIET)
         press.to_rest()
         return press.void_ratio
-
-    def _rush(self) -> None:
-        self.press.servo.relaxation = EAGER
-        self.press.expect(ROUGH, QUIET // 5)
 
 
 def soft_stiffness(card: Card, grains: Specimen) -> float:

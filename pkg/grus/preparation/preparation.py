@@ -95,11 +95,11 @@ def _compacted(card: Card, grains: list[Specimen], tell: Progress) -> tuple[Spec
         tell("compacting")
         compaction = Compaction(card, parts, size, attempt)
         found += compaction.run()
-        tell(f"void ratio {found[-1]:.4f}, first at rest at {found[-2]:.4f}")
+        tell(f"void ratio {found[-1]:.4f}, {found[-2]:.4f} when first at rest")
         if abs(found[-1] - target) <= 0.8 * tolerance:
             return compaction.result()
     raise GrusError(
-        f"{card.source}: specimen.void_ratio = {target:g}: not reached in {card.preparation.attempts} packings; "
+        f"{card.source}: specimen.void_ratio = {target:g}: not reached in {card.preparation.attempts} packing(s); "
         f"allowed: what these grains can have, here {min(found):.3f} to {max(found):.3f}"
     )
 

@@ -10,7 +10,7 @@ from grus.card import Card
 from grus.errors import GrusError
 from grus.preparation.prepared import outline_volume
 from grus.preparation.walls import add_walls, wall_box
-from grus.scene import InteractionEngines, insert
+from grus.scene import InteractionEngines, bond, insert
 from grus.specimen import Specimen
 
 LOOK = 50
@@ -69,6 +69,14 @@ class Press:
         lower, upper = wall_box(self.walls)
         return self.servo.area * float(upper[-1] - lower[-1]) / self.servo.solidVolume - 1
 
+    def bond(self) -> None:
+        """Makes the bonds of the specimen, in a step without time, which neither servo nor stepper would stand."""
+        engines = O.engines
+        O.engines = [*self.interactions.list, self.newton]
+        bond(self.specimen, self.interactions)
+        O.engines = engines
+        O.dt = self.stepper.safety * self.stepper.critical()
+
     def to_rest(self, stop_at: float = -np.inf) -> bool:
         """Runs until the grains rest under the seating stress, or until the void ratio falls to `stop_at`.
 
@@ -88,7 +96,7 @@ class Press:
 
         The platens slow down on the way to `stop_at`, and stay slow after that. Returns whether it was reached.
         """
-        if self.servo.done:
+        if self.servo.stage < 0 or self.servo.done:
             self.servo.begin(self.card.preparation.seating_stress)
         for _ in range(count // LOOK):
             if np.isfinite(stop_at):

@@ -11,7 +11,7 @@ from grus.preparation.prepared import PreparedSpecimen
 from grus.preparation.press import Press, steps
 from grus.preparation.rigid import fit_rigid
 from grus.preparation.walls import wall_box
-from grus.scene import bond, grain_material
+from grus.scene import grain_material
 from grus.specimen import Specimen
 
 STRONG = 1e9
@@ -32,11 +32,7 @@ def seat(card: Card, grains: Specimen, corners: np.ndarray, key: str) -> Prepare
     if card.bond.kind != "none":
         material.tensileStrength = material.shearStrength = strong
     press = Press(card, grains, corners, material, p.seating_speed)
-    engines = O.engines
-    O.engines = press.interactions.list + [press.newton]
-    bond(grains, press.interactions)
-    O.engines = engines
-    O.dt = press.stepper.safety * press.stepper.critical()
+    press.bond()
     press.to_rest()
     _refuse_breaks(press, f"preparation.bond_strength = {strong:g}")
     for contact in O.interactions:

@@ -40,6 +40,8 @@ public:
     const Vector3r& getTorque(Body::id_t);
     void addForce(Body::id_t, const Vector3r&);
     void addTorque(Body::id_t, const Vector3r&);
+    /// Zeroes the totals, not what threads have added since the last sync.
+    void reset(long iter, bool resetAll = false);
     /// Sums over threads without sync().
     const Vector3r getForceSingle(Body::id_t);
     const Vector3r getTorqueSingle(Body::id_t);

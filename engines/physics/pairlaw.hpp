@@ -1,0 +1,130 @@
+// The law of a pair: linear frictional contact with an optional contact bond or parallel bond, over one step.
+#pragma once
+
+#include <physics/bond.hpp>
+#include <physics/contact.hpp>
+#include <physics/transport.hpp>
+
+namespace grus::physics {
+
+enum class BondKind { None = 0, Contact = 1, Parallel = 2 };
+
+/// What does not change while a pair lives.
+struct PairConstants {
+    BondKind kind = BondKind::None;
+    double kn = 0, ks = 0; ///< contact stiffnesses [N/m]
+    double tanPhi = 0;     ///< tangent of the contact's friction angle
+    BondStiffness bond;    ///< of a parallel bond
+    Section section;       ///< of a parallel bond
+    double bondRadius = 0; ///< of a parallel bond [m]
+    double beta = 1;       ///< weight of the moments in the bond stress
+};
+
+/// What a pair carries from step to step.
+struct PairState {
+    bool bonded = false;
+    double contactNormal = 0; ///< [N], compression positive
+    Vec3 contactShear = Vec3::Zero();
+    BondLoad load;
+    Vec3 lastNormal = Vec3::Zero(); ///< zero before the first step
+};
+
+/// Relative motion of a pair in one step.
+struct PairMotion {
+    double overlap = 0; ///< since the birth of the bond [m]
+    Vec3 slip;          ///< of 2 against 1 across the normal [m]
+    Vec3 rotation;      ///< of 1 against 2 [rad]
+    Vec3 normal;        ///< from 1 to 2
+    double roll = 0;    ///< mean rotation about the normal [rad]
+};
+
+/// What a step did besides changing the state.
+struct PairEvents {
+    Breakage breakage = Breakage::None;
+    double released = 0; ///< energy released by the breakage [J]
+    double sliding = 0;  ///< work of friction [J]
+};
+
+/// True when an unbonded pair no longer touches; `penetration` is the overlap of the two bodies.
+inline bool apart(bool bonded, double overlap, double penetration) { return !bonded && overlap < 0 && penetration < 0; }
+
+/// Carries the stored vectors along with the pair.
+inline void carryAlong(PairState& s, BondKind kind, const Vec3& normal, double roll) {
+    if (!s.lastNormal.isZero()) {
+        s.contactShear = transport(s.contactShear, s.lastNormal, normal, roll);
+        if (s.bonded && kind == BondKind::Parallel) {
+            s.load.shear = transport(s.load.shear, s.lastNormal, normal, roll);
+            s.load.bending = transport(s.load.bending, s.lastNormal, normal, roll);
+        }
+    }
+    s.lastNormal = normal;
+}
+
+inline void stepParallelBond(PairState& s, const PairConstants& c, const BondStrength& strength, const PairMotion& m,
+                             PairEvents& events) {
+    BondLoad load = s.load;
+    deform(load, c.bond, m.overlap, m.slip, m.rotation, m.normal);
+    events.breakage = failure(rimStress(load, c.section, c.bondRadius, c.beta), strength);
+    if (events.breakage != Breakage::None) {
+        events.released = releasedEnergy(s.load, load, c.bond);
+        s.bonded = false;
+        load = {};
+    }
+    s.load = load;
+}
+
+inline void stepContactBond(PairState& s, const PairConstants& c, const BondStrength& strength, const PairMotion& m,
+                            PairEvents& events) {
+    const double trialNormal = c.kn * m.overlap;
+    const Vec3 trialShear = s.contactShear - c.ks * m.slip;
+    events.breakage = failure({-trialNormal, trialShear.norm(), trialNormal}, strength);
+    if (events.breakage == Breakage::None) {
+        s.contactNormal = trialNormal;
+        s.contactShear = trialShear;
+        return;
+    }
+    const double normal = contactNormal(c.kn, m.overlap);
+    const Vec3 shear = slide(trialShear, normal * c.tanPhi);
+    events.released =
+        lostEnergy(s.contactNormal, trialNormal, normal, c.kn) + lostEnergy(s.contactShear, trialShear, shear, c.ks);
+    s.contactNormal = normal;
+    s.contactShear = shear;
+    s.bonded = false;
+}
+
+inline void stepContact(PairState& s, const PairConstants& c, const PairMotion& m, PairEvents& events) {
+    const Vec3 before = s.contactShear;
+    const Vec3 trial = before - c.ks * m.slip;
+    s.contactNormal = contactNormal(c.kn, m.overlap);
+    s.contactShear = slide(trial, s.contactNormal * c.tanPhi);
+    events.sliding = lostEnergy(before, trial, s.contactShear, c.ks);
+}
+
+/// One step of a pair that touches or is bonded.
+inline PairEvents stepPair(PairState& s, const PairConstants& c, const BondStrength& strength, const PairMotion& m) {
+    PairEvents events;
+    carryAlong(s, c.kind, m.normal, m.roll);
+    if (s.bonded && c.kind == BondKind::Parallel)
+        stepParallelBond(s, c, strength, m, events);
+    if (s.bonded && c.kind == BondKind::Contact)
+        stepContactBond(s, c, strength, m, events);
+    else
+        stepContact(s, c, m, events);
+    return events;
+}
+
+/// Force [N] on body 2.
+inline Vec3 pairForce(const PairState& s, const Vec3& normal) {
+    return (s.contactNormal + s.load.normal) * normal + (s.contactShear + s.load.shear);
+}
+
+/// Moment [N m] on body 2, besides that of the force.
+inline Vec3 pairMoment(const PairState& s, const Vec3& normal) { return s.load.bending + s.load.twist * normal; }
+
+/// Elastic energy [J] of contact and bond.
+inline double pairEnergy(const PairState& s, const PairConstants& c) {
+    const double contact = springEnergy(s.contactNormal, c.kn) + springEnergy(s.contactShear.norm(), c.ks);
+    return s.bonded && c.kind == BondKind::Parallel ? contact + bondEnergy(s.load, c.bond) : contact;
+}
+
+}
