@@ -16,7 +16,7 @@ from grus.preparation.walls import wall_box
 from grus.scene import grain_material
 from grus.specimen import Specimen
 
-EAGER = 0.4
+EAGER = 1.0
 """Share of the stress error that the servo removes in a step."""
 ROUGH = 0.02
 """Unbalanced force at which grains count as resting here; the seating goes on from there."""

@@ -20,12 +20,14 @@ SPACE = {
 
 @pytest.fixture(scope="session")
 def plane():
-    return Card.from_file(MODELS / "quick.toml")
+    return Card.from_file(MODELS / "quick.toml").with_overrides({"element.radius": "0.9 mm"})
 
 
 @pytest.fixture(scope="session")
 def solid():
-    return Card.from_file(MODELS / "montesinho-3d.toml").with_overrides({"specimen": SPACE})
+    return Card.from_file(MODELS / "montesinho-3d.toml").with_overrides(
+        {"specimen": SPACE, "element.radius": "1.3 mm"}
+    )
 
 
 @pytest.fixture(scope="session")

@@ -35,8 +35,8 @@ def test_grains_measure_their_diameters(plane, solid):
             mean_width(sized_grain(card, i, 12e-3).position, card.element.radius, card.dimension)
             for i in range(20)
         ]
-        assert np.mean(wide) == pytest.approx(12e-3, rel=0.005)
-        assert np.ptp(wide) < 0.5 * card.element.radius
+        assert np.mean(wide) == pytest.approx(12e-3, rel=0.01)
+        assert np.ptp(wide) < card.element.radius  # grains end at whole elements
 
 
 def test_number_of_grains_follows_from_the_box(plane):

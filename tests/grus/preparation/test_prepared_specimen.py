@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.spatial import cKDTree
 
-from grus.preparation import PreparedSpecimen, prepare
+from grus.preparation import PreparedSpecimen, make, prepare
 from grus.preparation.diameters import diameters
 from grus.preparation.grain import sized_grain
 from grus.preparation.preparation import specimen_key
@@ -99,9 +99,21 @@ def test_found_again_where_it_was_kept(pair, folder, monkeypatch):
         {"seed": 2},
         {"specimen.void_ratio": 0.26},
         {"preparation.seating_stress": "6 kPa"},
-        {"element.radius": "0.61 mm"},
+        {"element.radius": "0.8 mm"},
         {"contact.friction_coefficient": 0.4},
     ],
 )
 def test_key_knows_what_made_it(plane, change):
     assert specimen_key(plane.with_overrides(change)) != specimen_key(plane)
+
+
+def test_key_leaves_out_what_did_not_make_it(plane):
+    with_others = {"crush.speed": "1 m/s", "name": "other"}
+    assert specimen_key(plane.with_overrides(with_others)) == specimen_key(plane)
+
+
+def test_same_seed_same_specimen(solid, prepared_solid):
+    again = make(solid)
+    assert again.specimen.content_hash() == prepared_solid.specimen.content_hash()
+    assert (again.lower == prepared_solid.lower).all()
+    assert (again.upper == prepared_solid.upper).all()
