@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from grus.compression.bend import sharpest_bend
-from grus.compression.breaks import find_breaks
+from grus.compression.breaks import Breaks, find_breaks
 from grus.compression.loading import loading_curve
 from grus.compression.readings import Readings, bend
 from grus.specimen.require import require
@@ -14,6 +14,7 @@ EXPONENTS = np.linspace(0.05, 1.0, 20)
 """Tried in Janbu's law; 0 is the straight line over the logarithm of stress."""
 WIDTHS = (0.0, 0.01, 0.02, 0.03, 0.05, 0.07, 0.1, 0.15)
 """Tried for the bend, in decades of stress; linear elasticity bends three times as widely."""
+REFINEMENTS = 2
 POSITIVE_EVIDENCE = 2.0
 """Of the scale of Kass & Raftery (1995), who call 6 strong and 10 very strong."""
 
@@ -67,8 +68,7 @@ def yield_stress(
     """
     require(0 < confidence < 1, "confidence", confidence, "in (0, 1)")
     stress, void_ratio = loading_curve(stress, "void_ratio", void_ratio, seating)
-    curve = Readings(np.log10(stress), void_ratio, sense=-1, widths=WIDTHS)
-    found = find_breaks(curve, 1, confidence)
+    curve, found = _broken_line(np.log10(stress), void_ratio, confidence)
     if not found.places:
         return None
     with_yield = found.criterion[1] + np.log(curve.count)  # for the width of the bend
@@ -89,6 +89,25 @@ def yield_stress(
         evidence=float(evidence),
         confidence=float(confidence),
     )
+
+
+def _broken_line(
+    place: np.ndarray, void_ratio: np.ndarray, confidence: float
+) -> tuple[Readings, Breaks]:
+    """The best line with its break, the widths refined about the best of those tried.
+
+    A width between two of a coarse grid would shift the place by more than the noise does.
+    """
+    widths = WIDTHS
+    for refinement in range(1 + REFINEMENTS):
+        curve = Readings(place, void_ratio, sense=-1, widths=widths)
+        found = find_breaks(curve, 1, confidence)
+        if not found.places or refinement == REFINEMENTS:
+            break
+        best = widths.index(curve.slopes(found.places)[2])
+        beside = widths[max(best - 1, 0)], widths[min(best + 1, len(widths) - 1)]
+        widths = tuple(np.union1d(WIDTHS, [widths[best], *np.linspace(*beside, 7)]).tolist())
+    return curve, found
 
 
 def _janbu(curve: Readings) -> float:

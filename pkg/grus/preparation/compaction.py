@@ -29,7 +29,9 @@ BEAT, TAPS = 1000, 60
 SOFTEST_TAP, HARDEST_TAP = 0.7, 5.0
 """Largest speed that the first and the last tap give a grain, over root(stress / density)."""
 MEETING = 2000
+"""Time steps for the platens to meet resistance after they have closed to the box asked for."""
 CYCLES = 12
+"""Rounds of densifying and settling at most."""
 ENOUGH = 0.6
 """Share of the tolerance within which the void ratio is met; the rest is room for the seating."""
 
@@ -37,7 +39,8 @@ ENOUGH = 0.6
 class Compaction:
     """Grains that cannot break or bend, each one rigid clump, with soft contacts at first.
 
-    parts: the grains, joined, each at the place of its exo-sphere; size: of the box [m]; attempt: number of the packing.
+    parts: the grains, joined, each at the place of its exo-sphere; size: of the box [m]; attempt: number of the
+    packing, for its taps.
     """
 
     def __init__(self, card: Card, parts: Specimen, size: np.ndarray, attempt: int = 0) -> None:

@@ -18,7 +18,8 @@ LOOK = 50
 QUIET = 500
 """Time steps at rest in a row that count as rest."""
 NEARER, FINE = 0.1, 0.1
-"""Between two looks the void ratio changes by this share of its distance from where it is to stop, plus this share of its tolerance, at most."""
+"""At most, the void ratio changes by these shares of its distance from where it is to stop, and of its tolerance,
+between two looks."""
 STEPPING = 200
 """Time steps between two updates of the time step."""
 MOST_STEPS = 1_000_000
@@ -118,7 +119,7 @@ class Press:
         self.servo.unbalancedLimit, self.servo.quietSteps = unbalanced, quiet
 
     def open(self, ways: list[float], count: int) -> None:
-        """Moves the walls across each axis apart by its way [m] in `count` time steps, waits as long, and stops every grain."""
+        """Moves the walls across each axis apart by its way [m] in `count` time steps, waits as long, stops all grains."""
         self.servo.dead = True
         for share in (1.0, 0.0):
             for axis, (pair, way) in enumerate(zip(self.walls, ways)):

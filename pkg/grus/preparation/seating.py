@@ -21,7 +21,7 @@ PROOF = 500
 
 
 def seat(card: Card, grains: Specimen, corners: np.ndarray, key: str) -> PreparedSpecimen:
-    """Brings grains that lie in a box with corners (2, dimension) [m] to rest, with very strong bonds, and proves that none breaks.
+    """Brings grains in a box with corners (2, dimension) [m] to rest, with very strong bonds, and proves that none breaks.
 
     Raises GrusError when a bond breaks, with those strengths or, at the end, with the final ones.
     """

@@ -45,6 +45,17 @@ def test_interval_holds_the_truth(record, noise, runs, stream, request):
     assert max(ratios) / min(ratios) < 1.3
 
 
+@pytest.mark.parametrize("width", [0.013, 0.04, 0.083])
+def test_interval_holds_for_bends_of_any_width(width, stream):
+    # none of these widths is one that the fit starts from
+    stress, covered, runs = np.geomspace(5e3, 1e6, 400), 0, 10
+    for run in range(runs):
+        value = bilinear(stress, width=width) + 2e-4 * stream(12, run).normal(400)
+        low, high = yield_stress(stress, value).interval
+        covered += low <= YIELD <= high
+    assert covered >= 8
+
+
 LAWS = {
     "line": lambda s: 0.30 - 0.02 * np.log10(s / 1e5),
     "elastic": lambda s: 0.25 - 0.02 * s / 1e6,
