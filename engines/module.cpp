@@ -2,6 +2,7 @@
 // only when that finds no difference to the YADE at hand.
 
 #include <grus/insertSpecimen.hpp>
+#include <grus/sceneTables.hpp>
 #include <yade/guard.hpp>
 #include <yade/registration.hpp>
 
@@ -13,4 +14,5 @@ BOOST_PYTHON_MODULE(_engines) {
     boost::python::def("register", &yade::sdk::registerClasses,
                        "Makes Grus's classes known to YADE; returns their names, bases first. Call check() before.");
     yade::exposeInsertSpecimen();
+    yade::exposeSceneTables();
 }

@@ -1,6 +1,6 @@
 # Prepares the specimen of a card for its oedometer test, step by step. From the top folder of Grus:
-#     PYTHONPATH=pkg yade -n -x scripts/prepare.py models/quick.toml
-# `grus.preparation.prepare` does the same, tries further packings when the first one misses, and keeps the result.
+#     PYTHONPATH=pkg yade -n -x scripts/prepare.py models/quick.toml [FOLDER]
+# `grus.preparation.prepare` does the same, and tries further packings when the first one misses.
 import sys
 
 import numpy as np
@@ -16,7 +16,8 @@ from grus.preparation.seating import seat
 from grus.preparation.stream import Step, stream
 from grus.specimen import join
 
-card = Card.from_file(sys.argv[-1])
+card = Card.from_file(sys.argv[1])
+folder = sys.argv[2] if len(sys.argv) > 2 else "."
 
 # The grains, each of the size that the grading gives it; plain arrays, no YADE so far.
 sizes = diameters(card)
@@ -30,13 +31,16 @@ places = place(card.preparation.start_factor * reach, box, stream(card.seed, Ste
 centres = grow(card, places, reach, box)
 
 # The grains take their places, unbreakable for now, and the platens close until the void ratio is met.
-compaction = Compaction(card, join(grains, centres), box)
+compaction = Compaction(card, join(grains, centres, meta={"maker": "preparation"}), box)
 compaction.run()
 specimen, corners = compaction.result()
 
 # Bonds are made, very strong at first. At rest they get their strength, and none may break.
-prepared = seat(card, specimen, corners, specimen_key(card))
-prepared.save("specimen.h5")
+key = specimen_key(card)
+prepared = seat(card, specimen, corners, key)
+missed = abs(prepared.void_ratio - card.specimen.void_ratio)
+assert missed <= card.preparation.void_ratio_tolerance, f"void ratio {prepared.void_ratio:.4f}"
+prepared.save(f"{folder}/specimen-{key[:16]}.h5")  # where a test of this card looks for it
 
 print(
     f"void ratio {prepared.void_ratio:.4f} by outlines, {prepared.void_ratio_elements:.4f} by elements"

@@ -35,7 +35,7 @@ public:
         ((std::vector<Vector3r>, brokenPosition, , Attr::readonly, "Place of each breakage [m]."))
         ((int, tensionBreaks, 0, Attr::readonly, "Number of bonds broken in tension."))
         ((int, shearBreaks, 0, Attr::readonly, "Number of bonds broken in shear."))
-        ((Real, releasedEnergy, 0, Attr::readonly, "Elastic energy released by all broken bonds [J]."))
+        ((Real, releasedEnergy, 0, Attr::readonly, "Elastic energy released by all broken bonds, and by cement that has corroded (:yref:`BondAgeing`) [J]."))
         ((Real, slidingWork, 0, Attr::readonly, "Work dissipated by friction in contacts [J]."))
         , makeSlots();
         , .add_property("breaks", &BondLedger::breaks, "Number of broken bonds.")

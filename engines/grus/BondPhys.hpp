@@ -15,10 +15,31 @@ public:
     grus::physics::BondStiffness stiffness() const { return grus::physics::bondStiffness(bondKn, bondKs, section()); }
     grus::physics::BondStrength strength() const { return {tensileStrength, shearStrength, bondTanPhi}; }
     grus::physics::BondLoad load() const { return {bondNormal, bondShear, bondBending, bondTwist}; }
-    grus::physics::PairConstants constants() const;
-    grus::physics::PairState state() const;
+    grus::physics::PairConstants constants() const {
+        const auto kind = static_cast<grus::physics::BondKind>(bondKind);
+        return {kind,
+                kn,
+                ks,
+                tangensOfFrictionAngle,
+                kind == grus::physics::BondKind::Parallel ? stiffness() : grus::physics::BondStiffness{},
+                section(),
+                bondRadius,
+                momentContribution};
+    }
+    grus::physics::PairState state() const { return {bonded, contactNormal, contactShear, load(), lastNormal}; }
     /// Takes over what the law made of state(), and the forces that follow from it.
-    void carry(const grus::physics::PairState&, const Vector3r& normal);
+    void carry(const grus::physics::PairState& state, const Vector3r& normal) {
+        bonded = state.bonded;
+        contactNormal = state.contactNormal;
+        contactShear = state.contactShear;
+        bondNormal = state.load.normal;
+        bondShear = state.load.shear;
+        bondBending = state.load.bending;
+        bondTwist = state.load.twist;
+        lastNormal = normal;
+        normalForce = (contactNormal + bondNormal) * normal;
+        shearForce = contactShear + bondShear;
+    }
 
     grus::physics::BondStress stress() const;
 
@@ -51,6 +72,7 @@ public:
         ((Real, contactNormal, 0, , "Normal force of the contact [N]; negative only in a contact bond."))
         ((Vector3r, contactShear, Vector3r::Zero(), , "Shear force of the contact [N]."))
         ((Vector3r, lastNormal, Vector3r::Zero(), , "Contact normal of the last step, along which the stored vectors are carried."))
+        ((Real, intact, 1, , "Share of the bond's strength (power law) or diameter (stress corrosion) that ageing has left [-]; see :yref:`BondAgeing`."))
         , createIndex();
         , .def("elasticEnergy", &BondPhys::elasticEnergy, "Elastic energy of contact and bond [J].")
         .def("tension", &BondPhys::tension, "Largest tension now: [Pa] at the rim of a parallel bond, [N] of a contact bond; 0 without a bond.")

@@ -3,12 +3,12 @@
 #include <limits>
 
 #include <core/Body.hpp>
-#include <core/InteractionContainer.hpp>
 #include <core/Scene.hpp>
 #include <pkg/dem/ScGeom.hpp>
 
 #include <grus/BondMat.hpp>
 #include <grus/BondPhys.hpp>
+#include <grus/interactionOrder.hpp>
 #include <grus/require.hpp>
 #include <physics/timestep.hpp>
 
@@ -38,9 +38,7 @@ physics::ContactSprings springs(const BondPhys& phys) {
 
 Real BondTimeStepper::criticalStep(Scene* ncb) const {
     std::vector<physics::Mat6> stiffness(ncb->bodies->size(), physics::Mat6::Zero());
-    for (const auto& interaction : *ncb->interactions) {
-        if (!interaction->isReal())
-            continue;
+    for (const Interaction* interaction : realInOrder(*ncb->interactions)) {
         const auto* phys = dynamic_cast<const BondPhys*>(interaction->phys.get());
         const auto* geom = dynamic_cast<const ScGeom*>(interaction->geom.get());
         if (!phys || !geom)

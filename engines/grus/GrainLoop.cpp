@@ -20,7 +20,8 @@ void GrainLoop::postLoad(GrainLoop&) {
 
 void GrainLoop::action() {
     gather();
-    for (int left = substeps;; --left) {
+    // to round numbers of steps, which engines with a period wait for
+    for (int left = substeps - static_cast<int>(scene->iter % substeps);; --left) {
         grainloop::Losses losses;
         if (assembly.stale())
             search();

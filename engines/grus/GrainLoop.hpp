@@ -23,7 +23,7 @@ public:
     // clang-format off
     YADE_CLASS_BASE_DOC_ATTRS(GrainLoop, GlobalEngine,
         "Takes the place of :yref:`ForceResetter`, :yref:`InsertionSortCollider`, :yref:`InteractionLoop` and :yref:`NewtonIntegrator` in ``O.engines`` for spheres, rigid clumps of spheres and walls with :yref:`BondMat`. It computes the same forces and motions over contiguous arrays and hands everything back to ``O.bodies``, ``O.interactions`` and ``O.forces`` at the end of each YADE step.",
-        ((int, substeps, 1, Attr::triggerPostLoad, "Steps of ``O.dt`` that are done in one YADE step, 1 or more. ``O.iter`` and ``O.time`` count every one of them. Handing back costs as much as several steps: use 50 or more where nothing looks at the scene in between."))
+        ((int, substeps, 1, Attr::triggerPostLoad, "Steps of ``O.dt`` that are done in one YADE step, 1 or more; fewer when the step would pass a multiple of this number, so that engines with a period that is such a multiple act. ``O.iter`` and ``O.time`` count every one of them. Handing back costs as much as several steps: use 50 or more where nothing looks at the scene in between."))
         ((Real, damping, 0.2, Attr::triggerPostLoad, "Local damping: share of the force on each degree of freedom that acts against its motion, 0 to below 1 [-]. As :yref:`NewtonIntegrator.damping`."))
         ((Vector3r, gravity, Vector3r::Zero(), , "Acceleration of gravity [m/s2]."))
         ((Real, skin, 0, Attr::triggerPostLoad, "Gap up to which two elements are kept as a pair that may soon touch [m]; pairs are sought anew when an element may have moved by half of it. 0: a fifth of the smallest radius."))

@@ -46,7 +46,7 @@ void GrainLoop::handBackInteractions() {
             handBackWallContact(contact);
     for (std::size_t n = 0; n < claimed.size(); ++n)
         if (!claimed[n])
-            scene->interactions->erase(known[n]->id1, known[n]->id2, known[n]->linIx);
+            known[n]->reset(); // a collider reports no pair twice while its bounds overlap
 }
 
 void GrainLoop::handBackPair(std::size_t k) {
@@ -145,6 +145,7 @@ void GrainLoop::handBackBodies() {
     }
     for (std::size_t w = 0; w < wallId.size(); ++w)
         Body::byId(wallId[w], scene)->state->pos = assembly.walls[w].position;
+    scene->doSort = true; // a collider that takes over cannot know how far bodies have gone
 }
 
 }

@@ -2,20 +2,15 @@
 
 #include <algorithm>
 
-#include <core/InteractionContainer.hpp>
 #include <core/Scene.hpp>
+
+#include <grus/interactionOrder.hpp>
 
 namespace yade {
 
-namespace {
-
-std::pair<int, int> ids(const Interaction& interaction) { return std::minmax(interaction.id1, interaction.id2); }
-
-}
-
 void InteractionSorter::action() {
     auto& list = *scene->interactions;
-    const auto inOrder = [](const auto& a, const auto& b) { return ids(*a) < ids(*b); };
+    const auto inOrder = [](const auto& a, const auto& b) { return earlier(*a, *b); };
     if (std::is_sorted(list.begin(), list.end(), inOrder))
         return;
     std::sort(list.begin(), list.end(), inOrder);

@@ -1,6 +1,7 @@
 #include <grus/Law2_ScGeom_BondPhys_Bonded.hpp>
 
 #include <core/Body.hpp>
+#include <core/BodyContainer.hpp>
 #include <core/Cell.hpp>
 #include <core/Scene.hpp>
 
@@ -11,32 +12,51 @@ namespace yade {
 
 namespace physics = grus::physics;
 
+namespace {
+
+/// What a step gives.
+struct Outcome {
+    physics::PairEvents events;
+    Vector3r force, moment; ///< on body 2
+};
+
+/// One step of the law; the attribute takes all that it calls into one function.
+[[gnu::flatten]] Outcome step(BondPhys& phys, const ScGeom& geom, Real overlap, const Vector3r& rate1,
+                              const Vector3r& rate2, Real dt) {
+    const Vector3r normal = geom.normal;
+    physics::PairState state = phys.state();
+    Outcome outcome;
+    outcome.events =
+        physics::stepPair(state, phys.constants(), phys.strength(),
+                          {overlap, geom.shearInc, (rate1 - rate2) * dt, normal, 0.5 * dt * normal.dot(rate1 + rate2)});
+    phys.carry(state, normal);
+    outcome.force = physics::pairForce(state, normal);
+    outcome.moment = physics::pairMoment(state, normal); // zero without a parallel bond
+    return outcome;
+}
+
+}
+
 bool Law2_ScGeom_BondPhys_Bonded::go(boost::shared_ptr<IGeom>& ig, boost::shared_ptr<IPhys>& ip, Interaction* I) {
     const auto& geom = *static_cast<ScGeom*>(ig.get());
     auto& phys = *static_cast<BondPhys*>(ip.get());
     const Real overlap = geom.penetrationDepth - phys.overlap0;
-    const State& one = *Body::byId(I->id1, scene)->state;
-    const State& two = *Body::byId(I->id2, scene)->state;
-    const Vector3r& normal = geom.normal;
-    physics::PairState state = phys.state();
-    const physics::PairEvents events =
-        physics::stepPair(state, phys.constants(), phys.strength(),
-                          {overlap, geom.shearInc, (one.angVel - two.angVel) * scene->dt, normal,
-                           0.5 * scene->dt * normal.dot(one.angVel + two.angVel)});
-    phys.carry(state, normal);
-    book(phys, events, *I, geom.contactPoint);
+    const State& one = *scene->bodies->body[I->id1]->state;
+    const State& two = *scene->bodies->body[I->id2]->state;
+    const Outcome outcome = step(phys, geom, overlap, one.angVel, two.angVel, scene->dt);
+    if (outcome.events.breakage != physics::Breakage::None || outcome.events.sliding != 0)
+        book(phys, outcome.events, *I, geom.contactPoint);
     if (physics::apart(phys.bonded, overlap, geom.penetrationDepth))
         return false;
 
     Vector3r pos2 = two.pos;
     if (scene->isPeriodic)
         pos2 += scene->cell->hSize * I->cellDist.cast<Real>();
-    applyForceAtContactPoint(-phys.normalForce - phys.shearForce, geom.contactPoint, I->id1, one.pos, I->id2, pos2);
-    if (phys.bonded && phys.bondKind == BondMat::ParallelBond) {
-        const Vector3r moment = physics::pairMoment(state, normal);
-        scene->forces.addTorque(I->id1, -moment);
-        scene->forces.addTorque(I->id2, moment);
-    }
+    const Vector3r& force = outcome.force;
+    scene->forces.addForce(I->id1, -force);
+    scene->forces.addForce(I->id2, force);
+    scene->forces.addTorque(I->id1, -(physics::cross(geom.contactPoint - one.pos, force) + outcome.moment));
+    scene->forces.addTorque(I->id2, physics::cross(geom.contactPoint - pos2, force) + outcome.moment);
     return true;
 }
 

@@ -1,10 +1,12 @@
 #include <grus/OedometerServo.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include <core/Body.hpp>
+#include <core/Omega.hpp>
 #include <core/Scene.hpp>
 #include <pkg/common/Wall.hpp>
 
@@ -51,12 +53,24 @@ void OedometerServo::postLoad(OedometerServo&) {
 void OedometerServo::begin(Real stress) {
     require(stress > 0, std::string(name) + ".begin(target)", stress, "more than 0 Pa");
     target = stress;
+    ++stage;
+    awaitRest(0);
+}
+
+void OedometerServo::resume(int expectedBreaks) {
+    Scene& now = *Omega::instance().getScene();
+    if (done && now.stopAtIter == now.iter + 1)
+        now.stopAtIter = stopBefore;
+    awaitRest(expectedBreaks);
+}
+
+void OedometerServo::awaitRest(int expectedBreaks) {
     done = false;
     quiet = 0;
-    stageBreaks = quietBreaks = breaks();
+    quietBreaks = breaks();
+    stageBreaks = quietBreaks + expectedBreaks;
     speedLimit = maxSpeed;
     unbalanced = std::numeric_limits<Real>::infinity(); // until the first look
-    ++stage;
 }
 
 void OedometerServo::action() {
@@ -76,10 +90,10 @@ void OedometerServo::measure() {
     const Vector2r position{platen(bottom, *scene, name).pos[axis], platen(top, *scene, name).pos[axis]};
     const Vector2r force{scene->forces.getForce(bottom)[axis], scene->forces.getForce(top)[axis]};
     height = position[1] - position[0];
-    if (!(height > 0))
-        throw std::runtime_error("OedometerServo: the platens have met; the specimen is gone");
-    if (!force.allFinite())
+    if (!force.allFinite() || !std::isfinite(height))
         throw std::runtime_error("OedometerServo: the force on a platen is not a number");
+    if (height <= 0)
+        throw std::runtime_error("OedometerServo: the platens have met; the specimen is gone");
     if (initialHeight == 0) {
         require(area > 0 && solidVolume > 0, "OedometerServo.area, solidVolume", std::min(area, solidVolume),
                 "more than 0");
@@ -104,12 +118,14 @@ void OedometerServo::look() {
     unbalanced = unbalancedForce(*scene);
     const Real elapsed = scene->time - lookTime;
     const Real rate = elapsed > 0 ? (lookHeight - height) / height / elapsed : 0;
-    const Real elastic = elasticEnergy(*scene);
+    const Real elastic = elasticEnergy(*scene), kinetic = kineticEnergy(*scene);
+    if (!std::isfinite(elastic + kinetic))
+        throw std::runtime_error("OedometerServo: the motion of a grain is not a number");
     const Real axial = axialStress();
     inertial = inertialNumber(rate, grainDiameter, grainDensity, axial);
-    const Calm calm{{inertial, elastic > 0 ? kineticEnergy(*scene) / elastic : 0,
-                     axial > 0 ? std::abs(topStress - bottomStress) / axial : 0},
-                    breaks() - lookBreaks};
+    const Calm calm{
+        {inertial, elastic > 0 ? kinetic / elastic : 0, axial > 0 ? std::abs(topStress - bottomStress) / axial : 0},
+        breaks() - lookBreaks};
     speedLimit = nextSpeedLimit(speedLimit, maxSpeed, std::max(fastSpeed, maxSpeed), speedGrowth, calm,
                                 {inertialLimit, kineticLimit, gradientLimit});
     lookBreaks = breaks();
@@ -130,6 +146,7 @@ void OedometerServo::watchRest() {
         return;
     done = true;
     record();
+    stopBefore = scene->stopAtIter;
     scene->stopAtIter = scene->iter + 1;
 }
 
@@ -141,6 +158,12 @@ Real OedometerServo::speedOf(int id, Real stress) const {
 void OedometerServo::drive() {
     platen(bottom, *scene, name).vel[axis] = done ? 0 : speedOf(bottom, bottomStress);
     platen(top, *scene, name).vel[axis] = done ? 0 : -speedOf(top, topStress);
+}
+
+Real OedometerServo::firstStress() const {
+    const auto found = std::find(recordStage.begin(), recordStage.end(), stage);
+    const auto i = found - recordStage.begin();
+    return found == recordStage.end() ? axialStress() : 0.5 * (recordTop[i] + recordBottom[i]);
 }
 
 bool OedometerServo::recordDue() const {

@@ -74,6 +74,7 @@ public:
         ((std::vector<Real>, recordSliding, , Attr::readonly, "Work of friction so far [J]."))
         ((std::vector<Real>, recordDamped, , Attr::readonly, "Energy taken by damping so far [J]; needs ``O.trackEnergy``."))
         ((int, stage, -1, Attr::readonly, "Number of the stage, from 0; -1 before the first."))
+        ((long, stopBefore, 0, Attr::hidden, "Step at which the run was to stop before the end of the stage stopped it."))
         ((int, quiet, 0, Attr::hidden, "Steps at rest in a row."))
         ((int, stageBreaks, 0, Attr::hidden, "Broken bonds when the stage began."))
         ((int, quietBreaks, 0, Attr::hidden, "Broken bonds when the stretch of rest began."))
@@ -84,6 +85,7 @@ public:
         ((Vector2r, lastForce, Vector2r::Zero(), Attr::hidden, "Forces on the platens in the last step along the axis, bottom and top [N]."))
         ,
         , .def("begin", &OedometerServo::begin, (boost::python::arg("target")), "Begins the next stage, which goes to the axial stress `target` [Pa].")
+        .def("resume", &OedometerServo::resume, (boost::python::arg("breaks") = 0), "Goes on with a stage that has ended, as :yref:`BondAgeing` does, until the specimen is at rest again; the run is not stopped. `breaks` bonds are known to break at once: when no other does, one quiet stretch is enough.")
         .add_property("strain", &OedometerServo::strain, "Axial strain since the first step, compression positive [-].")
         .add_property("voidRatio", &OedometerServo::voidRatio, "Void ratio [-].")
         .add_property("K0", &OedometerServo::lateralRatio, "Side stress over mean axial stress [-].")
@@ -91,9 +93,12 @@ public:
     // clang-format on
 
     void begin(Real stress);
+    void resume(int expectedBreaks);
     Real strain() const { return initialHeight > 0 ? 1 - height / initialHeight : 0; }
     Real voidRatio() const { return area * height / solidVolume - 1; }
     Real axialStress() const { return 0.5 * (topStress + bottomStress); }
+    /// Axial stress at the first step of the stage [Pa].
+    Real firstStress() const;
     Real lateralRatio() const { return axialStress() > 0 ? sideStress / axialStress() : 0; }
 
 private:
@@ -101,6 +106,7 @@ private:
     void look();
     void drive();
     void watchRest();
+    void awaitRest(int expectedBreaks);
     void record();
     bool recordDue() const;
     bool atTarget() const;

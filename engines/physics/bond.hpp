@@ -45,7 +45,8 @@ struct BondStress {
 
 /// Stiffnesses from those of the section, normal and shear [N/m] (Potyondy & Cundall 2004).
 inline BondStiffness bondStiffness(double kn, double ks, const Section& s) {
-    return {kn, ks, kn * s.inertia / s.area, ks * s.polar / s.area};
+    const double perArea = 1 / s.area;
+    return {kn, ks, kn * s.inertia * perArea, ks * s.polar * perArea};
 }
 
 /// Adds a step of relative motion. `stretch` is the total change of the overlap since birth [m]; the others are
@@ -60,9 +61,10 @@ inline void deform(BondLoad& load, const BondStiffness& k, double stretch, const
 
 /// Stresses at the rim of a parallel bond of radius `radius`; `beta` in [0, 1] weighs the moments.
 inline BondStress rimStress(const BondLoad& load, const Section& s, double radius, double beta) {
-    const double torsion = s.polar > 0 ? beta * std::abs(load.twist) * radius / s.polar : 0;
-    return {-load.normal / s.area + beta * load.bending.norm() * radius / s.inertia,
-            load.shear.norm() / s.area + torsion, load.normal / s.area};
+    const double perArea = 1 / s.area, arm = beta * radius;
+    const double torsion = s.polar > 0 ? arm / s.polar * std::abs(load.twist) : 0;
+    return {-load.normal * perArea + arm / s.inertia * load.bending.norm(), load.shear.norm() * perArea + torsion,
+            load.normal * perArea};
 }
 
 /// Shear strength under the mean normal stress `normal` (compression positive), Mohr-Coulomb, never below zero.

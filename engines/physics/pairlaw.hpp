@@ -97,7 +97,8 @@ inline void stepContact(PairState& s, const PairConstants& c, const PairMotion& 
     const Vec3 trial = before - c.ks * m.slip;
     s.contactNormal = contactNormal(c.kn, m.overlap);
     s.contactShear = slide(trial, s.contactNormal * c.tanPhi);
-    events.sliding = lostEnergy(before, trial, s.contactShear, c.ks);
+    if (s.contactShear != trial)
+        events.sliding = lostEnergy(before, trial, s.contactShear, c.ks);
 }
 
 /// One step of a pair that touches or is bonded.

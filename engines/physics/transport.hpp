@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 #include <physics/smallangle.hpp>
 #include <physics/vector.hpp>
@@ -9,11 +10,13 @@
 namespace grus::physics {
 
 /// Turns `v` by the smallest rotation that brings the unit vector `from` onto the unit vector `to`.
-/// Exact for any angle below pi, so that lengths (and energies) do not creep over many turns.
+/// Exact for any angle below pi, so that lengths (and energies) do not creep over many turns; when a body has passed a
+/// wall and `to` is -`from`, a vector across them is reversed.
 inline Vec3 turn(const Vec3& v, const Vec3& from, const Vec3& to) {
     const Vec3 axis = cross(from, to); // length = sine of the angle
     const double cosine = from.dot(to);
-    return v * cosine + cross(axis, v) + axis * (axis.dot(v) / (1 + cosine));
+    const double share = 1 / (1 + cosine + std::numeric_limits<double>::min()); // finite for the reversed normal, too
+    return v * cosine + cross(axis, v) + axis * (axis.dot(v) * share);
 }
 
 /// Turns `v` about the unit vector `n` by the angle of sine `s` and cosine `c`.

@@ -12,6 +12,8 @@ globals().update(_CLASSES)
 _FUNCTIONS = {
     "Card": "grus.card",
     "CrushingTest": "grus.crushing",
+    "OedometerResult": "grus.oedometer",
+    "OedometerTest": "grus.oedometer",
     "Specimen": "grus.specimen",
     "crush": "grus.crushing",
     "crush_group": "grus.crushing",
@@ -22,10 +24,15 @@ _FUNCTIONS = {
     "write_report": "grus.crushing",
 }
 
-__all__ = sorted([*_CLASSES, *_FUNCTIONS, "__version__"])
+_PACKAGES = ("oedometer",)
+"""Whose function of the same name would hide them: `grus.oedometer.oedometer`."""
+
+__all__ = sorted([*_CLASSES, *_FUNCTIONS, *_PACKAGES, "__version__"])
 
 
 def __getattr__(name: str) -> object:
+    if name in _PACKAGES:
+        return import_module(f"grus.{name}")
     if name not in _FUNCTIONS:
         raise AttributeError(f"module 'grus' has no attribute '{name}'")
     return getattr(import_module(_FUNCTIONS[name]), name)

@@ -8,6 +8,8 @@ from grus.errors import GrusError
 from grus.files import write_text
 from grus.version import __version__
 
+OWNER = "card.json"
+
 
 def claim(folder: str | Path, card: Card) -> str:
     """Makes `folder` that of the results of `card` and returns the key of these results.
@@ -17,7 +19,7 @@ def claim(folder: str | Path, card: Card) -> str:
     """
     folder = Path(folder)
     key = f"{card.content_hash()} {__version__}"
-    owner = folder / "card.json"
+    owner = folder / OWNER
     if owner.exists():
         try:
             other = json.loads(owner.read_text())["key"] != key

@@ -13,10 +13,15 @@ MODELS = Path(__file__).parents[2] / "models"
 
 
 def card(**overrides: object) -> Card:
-    """The shipped card, with keys changed; `__` in a name stands for the dot."""
+    """The shipped card in YADE's own loop, with keys changed; `__` in a name stands for the dot."""
     changes = {name.replace("__", "."): value for name, value in overrides.items()}
     return Card.from_file(MODELS / "montesinho.toml").with_overrides(
-        {"crush.speed": "0.05 m/s"} | changes
+        {
+            "crush.speed": "0.05 m/s",
+            "crush.loop": "InteractionLoop",
+            "agglomerate.leftover": "single",
+        }
+        | changes
     )
 
 

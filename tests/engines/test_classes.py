@@ -6,6 +6,7 @@ from yade import O, utils
 from yade.wrapper import BondLedger, BondMat, BondPhys, BondState, CrushingPlatens
 
 CLASSES = [
+    grus.BondAgeing,
     grus.BondLedger,
     grus.BondMat,
     grus.BondPhys,

@@ -20,7 +20,7 @@ from grus.scene import InteractionEngines
 PLANE = card(crush__speed="0.2 m/s")
 # Without damping: it acts by the signs of angular velocities, which at first are round-off and nothing else.
 SPACE = Card.from_file(MODELS / "montesinho-3d.toml").with_overrides(
-    {"crush.speed": "0.5 m/s", "crush.damping": 0}
+    {"crush.speed": "0.5 m/s", "crush.damping": 0, "crush.loop": "InteractionLoop"}
 )
 
 
@@ -36,7 +36,7 @@ def crushing(model: Card, loop: bool, substeps: int = 1) -> CrushingTest:
             GrainLoop(
                 substeps=substeps,
                 damping=model.crush.damping,
-                ledger=test.interactions.ledger,
+                ledger=test.engines.ledger,
                 loading=[test.platens],
             ),
         ]
@@ -87,13 +87,13 @@ def test_agrees_with_yades_engines_for_1000_steps(model, substeps):
     reference = crushing(model, loop=False)
     O.run(1000, True)
     expected, pairs, steps, time = bodies(), contacts(), O.iter, O.time
-    events = list(zip(*(getattr(reference.interactions.ledger, n) for n in EVENTS)))
+    events = list(zip(*(getattr(reference.engines.ledger, n) for n in EVENTS)))
     record = {n: np.array(getattr(reference.platens, n)) for n in RECORD}
     test = crushing(model, loop=True, substeps=substeps)
     O.run(1000, True)
     assert (O.iter, O.time) == (steps, pytest.approx(time, rel=1e-12))
     assert len(events) > 0
-    assert list(zip(*(getattr(test.interactions.ledger, n) for n in EVENTS))) == events
+    assert list(zip(*(getattr(test.engines.ledger, n) for n in EVENTS))) == events
     assert_same(bodies(), expected, 1e-7)
     found = contacts()
     assert found.keys() == pairs.keys()
@@ -160,8 +160,7 @@ def test_hands_over_to_yades_engines_and_back():
     test = crushing(PLANE, loop=True, substeps=100)
     loop = O.engines
     O.run(300, True)
-    newton = NewtonIntegrator(damping=PLANE.crush.damping)
-    O.engines = test.interactions.list + [test.platens, newton]
+    O.engines = test.engines.interactions.list + [test.platens, test.engines.newton]
     O.run(300, True)
     O.engines = loop
     O.run(300, True)

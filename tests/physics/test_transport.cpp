@@ -33,3 +33,9 @@ TEST(Transport, NothingMovesWhenTheNormalStands) {
     const Vec3 n(0, 0, 1), v(0.3, -0.4, 0);
     EXPECT_TRUE(transport(v, n, n, 0).isApprox(v, 1e-16));
 }
+
+TEST(Transport, VectorAcrossAReversedNormalIsReversed) {
+    const Vec3 n(0, -1, 0), v(0.3, 0, -0.4);
+    EXPECT_TRUE(turn(v, n, -n).isApprox(-v, 1e-16));
+    EXPECT_TRUE(transport(v, n, -n, 0).isApprox(-v, 1e-16));
+}

@@ -1,4 +1,5 @@
 // All of the physics in one file, for clang-tidy.
+#include <physics/ageing.hpp>
 #include <physics/bond.hpp>
 #include <physics/contact.hpp>
 #include <physics/random.hpp>

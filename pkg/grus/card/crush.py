@@ -51,6 +51,11 @@ class Crush(Section):
         default=None,
         default_text="contact.friction_coefficient",
     )
+    loop: Literal["GrainLoop", "InteractionLoop"] = key(
+        Choice(("GrainLoop", "InteractionLoop")),
+        "What computes forces and motion: Grus's fast engine, or YADE's own loop with NewtonIntegrator.",
+        default="GrainLoop",
+    )
     damping: float = key(
         Number(Interval(least=0, below=1)), "Coefficient of YADE's local damping.", default=0.2
     )

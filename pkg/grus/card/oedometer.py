@@ -1,14 +1,14 @@
 """[oedometer]: staged compression of a specimen in a box with fixed sides."""
 
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, Literal
 
 from grus.card.errors import Problem
 from grus.card.interval import NOT_NEGATIVE, POSITIVE, Interval
 from grus.card.program import Program
 from grus.card.pydantic_adapter import Section, key
 from grus.card.quantity import Measure, Quantity
-from grus.card.values import Number, Whole
+from grus.card.values import Choice, Number, Whole
 
 
 class Oedometer(Section):
@@ -34,12 +34,17 @@ class Oedometer(Section):
     unbalanced_limit: float = key(
         Number(POSITIVE),
         "Largest unbalanced force of a specimen at rest, over the mean contact force.",
-        default=0.001,
+        default=0.01,
     )
     quiet_steps: int = key(
         Whole(1, 10**9),
         "Steps at rest that end a stage; three times as many after a bond has broken in it.",
         default=1000,
+    )
+    max_steps: int = key(
+        Whole(1, 10**12),
+        "Steps after which a stage that has not ended is given up.",
+        default=20_000_000,
     )
     inertial_limit: float = key(
         Number(POSITIVE), "Largest inertial number of a quasi-static test.", default=0.001
@@ -52,6 +57,11 @@ class Oedometer(Section):
     )
     wall_friction: float = key(
         Number(NOT_NEGATIVE), "Friction coefficient of all walls.", default=0.0
+    )
+    loop: Literal["GrainLoop", "InteractionLoop"] = key(
+        Choice(("GrainLoop", "InteractionLoop")),
+        "What computes forces and motion: Grus's fast engine, or YADE's own loop with NewtonIntegrator.",
+        default="GrainLoop",
     )
     damping: float = key(
         Number(Interval(least=0, below=1)), "Coefficient of YADE's local damping.", default=0.2

@@ -55,9 +55,9 @@ class Preparation(Section):
         default=0.005,
     )
     compaction_speed: Measure = key(
-        Quantity({"m/s": "a speed"}, POSITIVE, "1 m/s"),
-        "Largest speed of a platen while grains are compacted.",
-        default="1 m/s",
+        Quantity({"m/s": "a speed"}, POSITIVE, "0.2 m/s"),
+        "Largest speed of a platen while grains are compacted; grains that are pressed together faster rest denser.",
+        default="0.2 m/s",
     )
     void_ratio_tolerance: float = key(
         Number(POSITIVE),

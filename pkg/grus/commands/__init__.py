@@ -7,18 +7,20 @@ from collections.abc import Sequence
 
 import typer
 
-from grus.commands import bench, card, crush, info, verify
+from grus.commands import bench, card, crush, data, info, oedometer, verify
 from grus.commands.run import run
 
 app = typer.Typer(
-    help="Crushable rockfill in YADE: make grains, crush them, say how strong they are.",
+    help="Crushable rockfill in YADE: make grains, crush them, load specimens of them in an oedometer.",
     add_completion=False,
     pretty_exceptions_enable=False,
 )
 app.command()(bench.bench)
 app.command()(card.card)
 app.command()(crush.crush)
+app.command()(data.data)
 app.command()(info.info)
+app.command()(oedometer.oedometer)
 app.command()(verify.verify)
 
 

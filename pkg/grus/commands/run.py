@@ -33,8 +33,8 @@ def _outcome(app: typer.Typer, arguments: Sequence[str]) -> int:
         return _refuse(*_usage(error))
     except GrusError as error:
         return _refuse("grus", error)
-    except (KeyboardInterrupt, click.Abort):
-        return _refuse("grus", "interrupted", INTERRUPTED)
+    except (KeyboardInterrupt, click.Abort) as stop:
+        return _refuse("grus", str(stop) or "interrupted", INTERRUPTED)
     except BrokenPipeError:
         return UNREAD
     except OSError as error:

@@ -2,12 +2,12 @@
 
 import numpy as np
 from yade import O, utils
-from yade.wrapper import BondTimeStepper, CrushingPlatens, NewtonIntegrator
+from yade.wrapper import CrushingPlatens
 
 from grus.card import Card
 from grus.crushing.result import CrushingResult
 from grus.record import Record
-from grus.scene import InteractionEngines, bond, grain_material, insert, platen_material, snapshot
+from grus.scene import GrainEngines, grain_material, insert, platen_material, snapshot
 from grus.specimen import Specimen
 from grus.specimen.from_card import grain_from_card
 
@@ -45,8 +45,8 @@ class CrushingTest:
         axis = card.dimension - 1
         bottom, top = self._platens(axis)
         self.ids = insert(self.specimen, grain_material(card), first_grain=grain)
-        self.interactions = InteractionEngines()
         crush = card.crush
+        self.engines = GrainEngines(crush.loop, crush.damping, crush.time_step_safety)
         self.platens = CrushingPlatens(
             bottom=bottom,
             top=top,
@@ -58,16 +58,11 @@ class CrushingTest:
             endDrop=crush.end_drop,
             maxStrain=crush.max_strain,
             recordInterval=crush.record_interval,
-            ledger=self.interactions.ledger,
+            ledger=self.engines.ledger,
         )
-        stepper = BondTimeStepper(safety=crush.time_step_safety)
-        newton = NewtonIntegrator(damping=crush.damping, gravity=(0, 0, 0))
-        O.engines = self.interactions.list + [newton]
-        self.bonds = bond(self.specimen, self.interactions)
+        self.bonds = self.engines.bond(self.specimen)
         self.before = snapshot(self.specimen, self.ids)
-        O.engines = self.interactions.list + [stepper, self.platens, newton]
-        # The stepper acts at round numbers of steps only, and bonding has taken the first.
-        O.dt = stepper.safety * stepper.critical()
+        self.engines.start([self.platens])
 
     def _platens(self, axis: int) -> list[int]:
         """Walls that touch the lowest and the highest element."""
@@ -114,8 +109,8 @@ class CrushingTest:
             max_closing=p.maxForceClosing,
             ended=p.ended,
             bonds=self.bonds,
-            tension_breaks=self.interactions.ledger.tensionBreaks,
-            shear_breaks=self.interactions.ledger.shearBreaks,
+            tension_breaks=self.engines.ledger.tensionBreaks,
+            shear_breaks=self.engines.ledger.shearBreaks,
             record=Record(dict(zip(UNITS, map(np.array, columns))), UNITS),
             before=self.before,
             after=snapshot(self.specimen, self.ids),

@@ -7,9 +7,14 @@ import numpy as np
 from grus.card import Card
 from grus.preparation import PreparedSpecimen
 from grus.record import Record
-from grus.scene import Snapshot
+from grus.scene import Contacts, Snapshot
 
 SEAT = "seat"
+
+
+def stage_name(kind: str, stress: float) -> str:
+    """As in "load to 100 kPa"; stress [Pa]."""
+    return f"{kind} {'to' if kind in ('load', 'unload') else 'at'} {stress / 1e3:g} kPa"
 
 
 @dataclass(frozen=True)
@@ -18,7 +23,8 @@ class StageEnd:
 
     number: from 0, which is the seating. kind: 'seat', 'load', 'unload' or 'hold'. target: axial stress [Pa].
     height [m]; void_ratio by the outlines of the grains [-]; axial_stress and side_stress [Pa]; tension_breaks and
-    shear_breaks: bonds broken since the start; steps: of the whole test so far. state: elements and bonds.
+    shear_breaks: bonds broken since the start; steps: of the whole test so far. state: elements and bonds. contacts: with their
+    forces.
     """
 
     number: int
@@ -32,11 +38,17 @@ class StageEnd:
     shear_breaks: int
     steps: int
     state: Snapshot
+    contacts: Contacts
 
     @property
     def K0(self) -> float:
         """Side stress over axial stress [-]."""
         return self.side_stress / self.axial_stress
+
+    @property
+    def name(self) -> str:
+        """As in "load to 100 kPa"."""
+        return stage_name(self.kind, self.target)
 
     @property
     def breaks(self) -> int:
@@ -77,10 +89,11 @@ class OedometerResult:
 
     @property
     def energy_error(self) -> np.ndarray:
-        """Work that no energy accounts for (n,), over the largest work so far [-]."""
+        """Work that no energy accounts for (n,), over the energy at the start and the largest work so far [-]."""
         r = self.record
         stored = r["elastic_energy"] + r["kinetic_energy"]
-        # Elastic energy is there from the start: contacts are found again by their overlaps.
-        spent = stored - stored[0] + r["released_energy"] + r["sliding_work"] + r["damped_energy"]
-        most = np.maximum.accumulate(np.abs(r["work"]))
+        # Contacts are under load from the start, and coming to rest before has taken energy.
+        spent = stored + r["released_energy"] + r["sliding_work"] + r["damped_energy"]
+        spent = spent - spent[0]
+        most = stored[0] + np.maximum.accumulate(np.abs(r["work"]))
         return np.divide(r["work"] - spent, most, out=np.zeros_like(most), where=most > 0)

@@ -1,24 +1,17 @@
 """Running an oedometer test, with checkpoints."""
 
-import time
-from collections.abc import Callable
 from pathlib import Path
 
-import h5py
 from yade import O
 
 from grus.card import Card
 from grus.errors import GrusError
-from grus.files import discard_partial, replacing
-from grus.oedometer.result import SEAT, OedometerResult, StageEnd
+from grus.oedometer.files import TestFiles
+from grus.oedometer.result import SEAT, OedometerResult, StageEnd, stage_name
+from grus.oedometer.stage import Progress, StageRun
 from grus.oedometer.test import OedometerTest, element_ids, ledger, record, servo
-from grus.ownership import claim
 from grus.preparation import PreparedSpecimen, prepare
-from grus.scene import Snapshot, snapshot
-
-Progress = Callable[[str], None]
-SLICE = 2000  # steps between two looks at the clock
-NUMBERS = [name for name in StageEnd.__annotations__ if name != "state"]
+from grus.scene import contacts, snapshot
 
 
 def program(card: Card) -> list[tuple[str, float]]:
@@ -30,56 +23,73 @@ def program(card: Card) -> list[tuple[str, float]]:
     return stages
 
 
+SEATING = 0.05
+"""Tolerance of the seating stress: under so little, loose grains that wander keep the stress from standing still."""
+
+
 def oedometer(
-    card: Card, folder: str | Path, progress: Progress | None = None, checkpoint: float = 180.0
+    card: Card,
+    folder: str | Path,
+    progress: Progress | None = None,
+    specimens: str | Path | None = None,
+    checkpoint: float = 120.0,
+    restart: bool = False,
 ) -> OedometerResult:
     """Prepares the specimen of `card` and runs its stages, in the current YADE scene, which is emptied first.
 
-    The specimen, the end of each stage and every `checkpoint` seconds the whole scene are saved in `folder`. A call that
-    finds them there goes on from the last: with the same result, bit by bit on one thread. `progress` is called with a
-    line now and then. Raises GrusError when the card has no oedometer test or `folder` holds another test.
+    The prepared specimen is saved in the folder `specimens` (default: `folder`) and taken from there by every test whose
+    card has the same. The end of each stage and, every `checkpoint` seconds, the whole scene are saved in `folder`. A call
+    that finds them there goes on from the last: with the same result, bit by bit on one thread. With `restart` they are
+    discarded first; the prepared specimen is kept.
+    Raises GrusError when the card has no oedometer test, when `folder` holds another test, when the specimen cannot be
+    prepared, when platens meet or forces are not numbers, or when a stage does not end within `oedometer.max_steps`; what
+    has been computed until then stays. Ctrl-C saves the scene and is passed on.
     """
-    if card.oedometer is None or card.specimen is None:
-        missing = "oedometer" if card.oedometer is None else "specimen"
-        raise GrusError(f"{card.source}: {missing} is missing; allowed: a table [{missing}]")
-    tell = progress or (lambda line: None)
-    files = _Files(card, Path(folder))
-    prepared = prepare(card, folder, progress)
-    bonds = len(prepared.specimen.bonds())
-    if files.scene.exists():
-        O.reset()
-        O.load(str(files.scene))
-        tell(f"going on at step {O.iter}")
-    else:
+    for table in ("specimen", "oedometer"):
+        if getattr(card, table) is None:
+            raise GrusError(f"{card.source}: {table} is missing; allowed: a table [{table}]")
+    tell = progress or (lambda share, line: None)
+    files = TestFiles(card, Path(folder))
+    if restart:
+        files.discard()
+    try:
+        prepared = prepare(card, specimens or folder, lambda line: tell(0.0, line))
+    except BaseException:
+        files.release()
+        raise
+    stages = program(card)
+    if not files.load_scene():
         OedometerTest(card, prepared)
-    for number, (kind, stress) in enumerate(program(card)):
-        if files.has_stage(number):
-            continue
-        if servo().stage < number:
-            servo().begin(stress)
-        _finish_stage(f"{kind} to {stress / 1e3:g} kPa", files, tell, checkpoint)
-        files.save_stage(_stage_end(number, kind, stress, prepared))
-        files.save_scene()
-    stages = tuple(files.load_stage(number) for number in range(len(program(card))))
-    return OedometerResult(card, prepared, bonds, record(), stages)
-
-
-def _finish_stage(title: str, files: "_Files", tell: Progress, checkpoint: float) -> None:
-    saved = time.monotonic()
-    while not servo().done:
-        O.run(SLICE, True)
-        s = servo()
-        tell(
-            f"{title}: {s.topStress / 1e3:.4g} kPa, strain {s.strain:.3%}, {ledger().breaks} bonds broken, "
-            f"step {O.iter}"
-        )
-        if time.monotonic() - saved > checkpoint:
+    try:
+        for number, (kind, stress) in enumerate(stages):
+            if _is_over(number, files):
+                continue
+            if servo().stage < number:
+                servo().tolerance = SEATING if kind == SEAT else card.oedometer.tolerance
+                servo().begin(stress)
+            StageRun(card, stages, files, checkpoint).finish(tell)
+            files.save_stage(_stage_end(number, kind, stress, prepared))
             files.save_scene()
-            saved = time.monotonic()
+    except KeyboardInterrupt:
+        files.save_scene()
+        now = max(servo().stage, 0)
+        raise KeyboardInterrupt(
+            f"interrupted in stage {now}, {stage_name(*stages[now])}, after {O.iter} steps; saved in {files.folder}, "
+            "start it again to go on from there"
+        ) from None
+    bonds = len(prepared.specimen.bonds()) if card.bond.kind != "none" else 0
+    ends = tuple(files.load_stage(number) for number in range(len(stages)))
+    return OedometerResult(card, prepared, bonds, record(), ends)
+
+
+def _is_over(number: int, files: TestFiles) -> bool:
+    """Whether the scene is past a stage, or at its end and the stage is saved: a run may be killed in between."""
+    s = servo()
+    return s.stage > number or (s.stage == number and s.done and files.has_stage(number))
 
 
 def _stage_end(number: int, kind: str, stress: float, prepared: PreparedSpecimen) -> StageEnd:
-    s, broken = servo(), ledger()
+    s, broken, ids = servo(), ledger(), element_ids()
     return StageEnd(
         number=number,
         kind=kind,
@@ -91,36 +101,6 @@ def _stage_end(number: int, kind: str, stress: float, prepared: PreparedSpecimen
         tension_breaks=broken.tensionBreaks,
         shear_breaks=broken.shearBreaks,
         steps=O.iter,
-        state=snapshot(prepared.specimen, element_ids()),
+        state=snapshot(prepared.specimen, ids),
+        contacts=contacts(ids),
     )
-
-
-class _Files:
-    """Checkpoint and stages of one test in a folder."""
-
-    def __init__(self, card: Card, folder: Path) -> None:
-        self.folder.mkdir(exist_ok=True)
-        discard_partial(self.folder)
-
-    def save_scene(self) -> None:
-        with replacing(self.scene) as partial:
-            O.save(str(partial), quiet=True)
-
-    def path(self, number: int) -> Path:
-        return self.folder / f"stage-{number:03d}.h5"
-
-    def has_stage(self, number: int) -> bool:
-        # The scene is saved after the stage: without it the stage has to be run again.
-        return self.path(number).exists() and self.scene.exists() and servo().stage >= number
-
-    def save_stage(self, end: StageEnd) -> None:
-        with replacing(self.path(end.number)) as partial, h5py.File(partial, "w") as file:
-            for name in NUMBERS:
-                file.attrs[name] = getattr(end, name)
-            for name, values in vars(end.state).items():
-                file.create_dataset(name, data=values)
-
-    def load_stage(self, number: int) -> StageEnd:
-        with h5py.File(self.path(number), "r") as file:
-            numbers = {name: file.attrs[name] for name in NUMBERS}
-            return StageEnd(**numbers, state=Snapshot(**{name: file[name][()] for name in file}))

@@ -4,13 +4,13 @@ from math import atan
 
 import numpy as np
 from yade import O, utils
-from yade.wrapper import BondLedger, BondMat, BondTimeStepper, NewtonIntegrator, OedometerServo
+from yade.wrapper import BondLedger, BondMat, GrainLoop, OedometerServo
 
 from grus.card import Card
 from grus.errors import GrusError
 from grus.preparation import PreparedSpecimen
 from grus.record import Record
-from grus.scene import InteractionEngines, bond, grain_material, insert
+from grus.scene import GrainEngines, grain_material, insert
 
 UNITS = {
     "iter": "1",
@@ -52,15 +52,15 @@ class OedometerTest:
         axis = card.dimension - 1
         walls = self._walls(axis)
         insert(prepared.specimen, grain_material(card))
-        interactions = InteractionEngines()
         test = card.oedometer
+        engines = GrainEngines(test.loop, test.damping, test.time_step_safety)
         servo = OedometerServo(
             bottom=walls[axis][0],
             top=walls[axis][1],
             sides=[wall for other in range(axis) for wall in walls[other]],
             axis=axis,
             solidVolume=prepared.outline_volume,
-            ledger=interactions.ledger,
+            ledger=engines.ledger,
             maxSpeed=test.speed,
             fastSpeed=test.fast_speed or 0,
             tolerance=test.tolerance,
@@ -73,12 +73,10 @@ class OedometerTest:
             grainDensity=card.element.density,
             **self._areas(axis),
         )
-        stepper = BondTimeStepper(safety=test.time_step_safety)
-        newton = NewtonIntegrator(damping=test.damping, gravity=(0, 0, 0))
-        O.engines = interactions.list + [newton]
-        self.bonds = bond(prepared.specimen, interactions)
-        O.engines = interactions.list + [stepper, servo, newton]
-        O.dt = stepper.safety * stepper.critical()
+        self.bonds = engines.bond(prepared.specimen)
+        engines.start([servo])
+        # Shear forces of contacts are not kept with a specimen: they build up here, between resting platens.
+        engines.quench()
 
     def _walls(self, axis: int) -> list[tuple[int, int]]:
         """Ids of the two walls across each axis."""
@@ -113,17 +111,14 @@ class OedometerTest:
 
 def servo() -> OedometerServo:
     """The servo of the current scene, also of one that was loaded."""
-    return engine(OedometerServo)
+    loops = [one for one in O.engines if isinstance(one, GrainLoop)]
+    among = loops[0].loading if loops else O.engines
+    return next(one for one in among if isinstance(one, OedometerServo))
 
 
 def ledger() -> BondLedger:
     """The ledger of the current scene."""
-    return engine(BondLedger)
-
-
-def engine(kind: type) -> object:
-    """The engine of that class in the current scene."""
-    return next(one for one in O.engines if isinstance(one, kind))
+    return servo().ledger
 
 
 def record() -> Record:

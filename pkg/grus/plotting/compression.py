@@ -33,12 +33,13 @@ def compression_plot(
     normalised: bool = False,
     title: str | None = None,
     size: tuple[float, float] = SINGLE,
+    reference: float | None = None,
 ) -> Figure:
     """Compression curves of one or several tests by name, yield marked, unloading in thin lines.
 
     curves: stress [Pa] (n,) and void ratio [-] (n,) of each, in the order of the test. yields: of
     those that have one: the lines that meet there are dashed, the interval is shaded. normalised: void ratios are
-    divided by that of the first reading at a stress above zero.
+    divided by that of the first reading at a stress above zero. reference: void ratio e0 of a second axis of e/e0.
 
     Raises GrusError for no curves, unequal columns, and a yield of a name that is no curve's.
     """
@@ -61,6 +62,9 @@ def compression_plot(
         labels.append(_row(name, "yield", found, factor, unit))
     _label_stress(axes, columns, factor, unit)
     axes.set_ylabel("Void ratio $e/e_0$ [–]" if normalised else "Void ratio $e$ [–]")
+    if reference is not None:
+        shares = (lambda e: e / reference, lambda share: share * reference)
+        axes.secondary_yaxis("right", functions=shares).set_ylabel("Void ratio $e/e_0$ [–]")
     marked = any(found is not None for found in (yields or {}).values())
     note = "dashed: lines that meet at yield; shaded: its interval" if marked else ""
     return _finished(figure, axes, lines, labels, note, title)
@@ -186,7 +190,7 @@ def _row(
 
 
 def _label_stress(axes: Axes, columns: Mapping, factor: float, unit: str) -> None:
-    lowest = factor * min(stress.min() for stress, _ in columns.values())
+    lowest = factor * min(_lowest(stress) for stress, _ in columns.values())
     highest = factor * max(stress.max() for stress, _ in columns.values())
     margin = (highest / lowest) ** 0.03
     axes.set_xscale("log")
@@ -195,6 +199,11 @@ def _label_stress(axes: Axes, columns: Mapping, factor: float, unit: str) -> Non
     axes.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
     axes.set_xticks([], minor=True)
     axes.set_xlabel(rf"Axial stress $\sigma$ [{unit}]")
+
+
+def _lowest(stress: np.ndarray) -> float:
+    """Of first loading and of what follows the highest stress; drops while grains break are cut off."""
+    return min(stress[0], stress[stress.argmax() :].min())
 
 
 def _finished(

@@ -16,6 +16,8 @@ from grus.preparation.walls import wall_box
 from grus.scene import grain_material
 from grus.specimen import Specimen
 
+SKIN = 1.0
+"""Of GrainLoop, over the radius of an element: grains move fast here, and elements of one grain are no pairs."""
 EAGER = 1.0
 """Share of the stress error that the servo removes in a step."""
 ROUGH = 0.02
@@ -58,7 +60,14 @@ class Compaction:
         )
         corners = np.array([np.zeros(len(size)), size])
         rigid = replace(parts, clump=parts.grain)
-        self.press = Press(card, rigid, corners, material, card.preparation.compaction_speed)
+        self.press = Press(
+            card,
+            rigid,
+            corners,
+            material,
+            card.preparation.compaction_speed,
+            SKIN * card.element.radius,
+        )
 
     def run(self) -> tuple[float, float]:
         """Compacts; returns the void ratios at which the grains first came to rest, and at last.

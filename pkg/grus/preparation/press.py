@@ -4,24 +4,24 @@ from math import atan, prod
 
 import numpy as np
 from yade import O
-from yade.wrapper import BondMat, BondTimeStepper, NewtonIntegrator, OedometerServo
+from yade.wrapper import BondMat, OedometerServo
 
 from grus.card import Card
 from grus.errors import GrusError
 from grus.preparation.prepared import outline_volume
 from grus.preparation.walls import add_walls, wall_box
-from grus.scene import InteractionEngines, bond, insert
+from grus.scene import GrainEngines, insert, stop_grains
 from grus.specimen import Specimen
 
 LOOK = 50
-"""Time steps between two looks at the void ratio and at the unbalanced force."""
+"""Time steps between two looks at the void ratio, and of the servo at the unbalanced force."""
+CALM = 1000
+"""Time steps between two looks at the void ratio when there is none to stop at."""
 QUIET = 500
 """Time steps at rest in a row that count as rest."""
 NEARER, FINE = 0.1, 0.1
 """At most, the void ratio changes by these shares of its distance from where it is to stop, and of its tolerance,
 between two looks."""
-STEPPING = 200
-"""Time steps between two updates of the time step."""
 MOST_STEPS = 1_000_000
 
 
@@ -32,7 +32,13 @@ class Press:
     """
 
     def __init__(
-        self, card: Card, specimen: Specimen, corners: np.ndarray, material: BondMat, speed: float
+        self,
+        card: Card,
+        specimen: Specimen,
+        corners: np.ndarray,
+        material: BondMat,
+        speed: float,
+        skin: float = 0,
     ) -> None:
         p = card.preparation
         self.card, self.specimen, self.material = card, specimen, material
@@ -42,7 +48,7 @@ class Press:
         walls.frictionAngle = 0
         self.walls = add_walls(*corners, walls)
         self.ids = insert(specimen, material)
-        self.interactions = InteractionEngines()
+        self.engines = GrainEngines("GrainLoop", p.damping, p.time_step_safety, skin=skin)
         breadth = np.subtract(corners[1], corners[0])[:-1]
         self.servo = OedometerServo(
             bottom=self.walls[-1][0],
@@ -56,13 +62,11 @@ class Press:
             unbalancedLimit=p.unbalanced_limit,
             quietSteps=QUIET,
             lookInterval=LOOK,
-            ledger=self.interactions.ledger,
+            ledger=self.engines.ledger,
         )
-        self.stepper = BondTimeStepper(safety=p.time_step_safety, timeStepUpdateInterval=STEPPING)
+        self.stepper = self.engines.stepper
         self.stepper.maxDt = _longest_step(specimen, stiffness, card.element.density)
-        self.newton = NewtonIntegrator(damping=p.damping)
-        O.engines = self.interactions.list + [self.stepper, self.servo, self.newton]
-        O.dt = self.stepper.maxDt
+        self.engines.start([self.servo])
 
     @property
     def void_ratio(self) -> float:
@@ -72,11 +76,8 @@ class Press:
 
     def bond(self) -> None:
         """Makes the bonds of the specimen, in a step without time, which neither servo nor stepper would stand."""
-        engines = O.engines
-        O.engines = [*self.interactions.list, self.newton]
-        bond(self.specimen, self.interactions)
-        O.engines = engines
-        O.dt = self.stepper.safety * self.stepper.critical()
+        self.engines.bond(self.specimen)
+        self.engines.start([self.servo])
 
     def to_rest(self, stop_at: float = -np.inf) -> bool:
         """Runs until the grains rest under the seating stress, or until the void ratio falls to `stop_at`.
@@ -99,10 +100,11 @@ class Press:
         """
         if self.servo.stage < 0 or self.servo.done:
             self.servo.begin(self.card.preparation.seating_stress)
-        for _ in range(count // LOOK):
+        look = LOOK if np.isfinite(stop_at) else CALM
+        for _ in range(count // look):
             if np.isfinite(stop_at):
                 self._slow_down(self.void_ratio - stop_at)
-            steps(LOOK)
+            self.engines.run(look)
             if self.servo.done or self.void_ratio <= stop_at:
                 break
         return self.void_ratio <= stop_at
@@ -127,9 +129,8 @@ class Press:
                     velocity = [0.0, 0.0, 0.0]
                     velocity[axis] = sign * share * way / (2 * count * O.dt)
                     O.bodies[wall].state.vel = velocity
-            steps(count)
-        for grain in self.movable():
-            grain.state.vel = grain.state.angVel = (0, 0, 0)
+            self.engines.run(count)
+        stop_grains()
         self.servo.area = self._platen_area()
         self.servo.dead = False
 
@@ -163,12 +164,6 @@ class Press:
     def positions(self) -> np.ndarray:
         """Centres (n, 3) of the elements now [m]."""
         return np.array([O.bodies[one].state.pos for one in self.ids])
-
-
-def steps(count: int) -> None:
-    """Time steps one by one: for a few, `O.run` would take longer to start and stop than to run."""
-    for _ in range(count):
-        O.step()
 
 
 def element_stiffness(material: BondMat, radius: float) -> float:

@@ -8,7 +8,7 @@ from yade import O
 from grus.card import Card
 from grus.errors import GrusError
 from grus.preparation.prepared import PreparedSpecimen
-from grus.preparation.press import Press, steps
+from grus.preparation.press import Press
 from grus.preparation.rigid import fit_rigid
 from grus.preparation.walls import wall_box
 from grus.scene import grain_material
@@ -33,13 +33,14 @@ def seat(card: Card, grains: Specimen, corners: np.ndarray, key: str) -> Prepare
         material.tensileStrength = material.shearStrength = strong
     press = Press(card, grains, corners, material, p.seating_speed)
     press.bond()
+    press.engines.quench()
     press.to_rest()
     _refuse_breaks(press, f"preparation.bond_strength = {strong:g}")
     for contact in O.interactions:
         if contact.phys.bonded:
             contact.phys.tensileStrength = final[0] * contact.phys.strengthFactor
             contact.phys.shearStrength = final[1] * contact.phys.strengthFactor
-    steps(PROOF)
+    press.engines.run(PROOF)
     _refuse_breaks(press, f"preparation.seating_stress = {p.seating_stress:g}")
     bonded = [contact.phys for contact in O.interactions if contact.phys.bonded]
     lower, upper = wall_box(press.walls)
@@ -58,7 +59,7 @@ def seat(card: Card, grains: Specimen, corners: np.ndarray, key: str) -> Prepare
 
 
 def _refuse_breaks(press: Press, what: str) -> None:
-    breaks = press.interactions.ledger.breaks
+    breaks = press.engines.ledger.breaks
     if breaks:
         raise GrusError(
             f"{press.card.source}: {what}: {breaks} bonds broke before the test; allowed: none"

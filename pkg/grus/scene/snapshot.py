@@ -5,8 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
-from yade import O
 
+from grus import _engines
+from grus.scene.contacts import NO_ELEMENT, contact_table
 from grus.specimen import Specimen
 
 
@@ -17,7 +18,7 @@ class Snapshot:
     position (n, 3): centres of the elements [m].
     velocity (n, 3): of the elements [m/s].
     bonds (b, 2): element indices of the pairs whose bond holds, smaller index first, sorted.
-    broken (k, 2): element indices of the pairs whose bond broke and that still touch.
+    broken (k, 2): element indices of the pairs whose bond broke and that still touch, in the same order.
     mode (k,): how these broke, 1 in tension, 2 in shear.
     fragment (n,): index of the fragment of each element; fragments are sets of clumps joined by bonds, numbered
         from the one with the most elements down.
@@ -37,25 +38,19 @@ class Snapshot:
 
 def snapshot(specimen: Specimen, ids: list[int]) -> Snapshot:
     """Takes the state of the elements `ids` (as returned by `insert`) from the current scene."""
-    index = {body: i for i, body in enumerate(ids)}
-    bonds, broken, mode = [], [], []
-    for interaction in O.interactions:
-        if interaction.id1 not in index or interaction.id2 not in index:
-            continue
-        pair = sorted((index[interaction.id1], index[interaction.id2]))
-        if interaction.phys.bonded:
-            bonds.append(pair)
-        elif interaction.phys.breakage:
-            broken.append(pair)
-            mode.append(interaction.phys.breakage)
-    bonded = np.array(sorted(bonds), dtype=np.int64).reshape(-1, 2)
+    bodies = _engines.bodyTable(ids)
+    table = contact_table(ids)
+    pairs, bonded = table["pairs"], table["bonded"]
+    within = pairs[:, 0] != NO_ELEMENT
+    broken = within & ~bonded & (table["breakage"] > 0)
+    bonds = pairs[within & bonded]
     return Snapshot(
-        position=np.array([O.bodies[i].state.pos for i in ids]),
-        velocity=np.array([O.bodies[i].state.vel for i in ids]),
-        bonds=bonded,
-        broken=np.array(broken, dtype=np.int64).reshape(-1, 2),
-        mode=np.array(mode, dtype=np.int64),
-        fragment=fragments(specimen.clump, bonded),
+        position=np.frombuffer(bodies["position"]).reshape(-1, 3),
+        velocity=np.frombuffer(bodies["velocity"]).reshape(-1, 3),
+        bonds=bonds,
+        broken=pairs[broken],
+        mode=table["breakage"][broken].astype(np.int64),
+        fragment=fragments(specimen.clump, bonds),
     )
 
 

@@ -50,7 +50,7 @@ def draw(
         axes = Figure(figsize=(5, 5), layout="constrained").add_subplot()
     pairs = touching_pairs(specimen.position, specimen.radius)
     if colour is None:
-        colour = PALETTE[_clump_colours(specimen, pairs)][specimen.clump]
+        colour = PALETTE[clump_colours(specimen, pairs)][specimen.clump]
     if specimen.dimension == 2:
         seen = 1e3 * specimen.position[:, :2]
         _draw_discs(axes, specimen, seen, colour, pairs)
@@ -66,7 +66,7 @@ def draw(
     return axes
 
 
-def _clump_colours(specimen: Specimen, pairs: np.ndarray) -> np.ndarray:
+def clump_colours(specimen: Specimen, pairs: np.ndarray) -> np.ndarray:
     """Index (m,) into the palette: greedy colouring, the least used of the free colours."""
     links = np.unique(np.sort(specimen.clump[pairs], axis=1), axis=0)
     links = links[links[:, 0] != links[:, 1]]

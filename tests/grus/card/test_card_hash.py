@@ -47,7 +47,7 @@ def test_order_of_keys_does_not_count(plane, written):
         {"thickness": "2 m"},
         {"contact.normal_stiffness": "3e9 Pa", "contact.shear_stiffness": "3e9 Pa"},
         {"bond.grain_scatter": {"modulus": 4}},
-        {"agglomerate.leftover": "merge"},
+        {"agglomerate.leftover": "single"},
         {"agglomerate.outline": "polygon", "agglomerate.vertices": [[0, 0], [1, 0], [0, 1]]},
         {"crush.platen_friction": 0.4},
         {"crush.platen_stiffness": "3e10 N/m"},
@@ -81,7 +81,7 @@ def test_hash_is_that_of_the_canonical_text():
         '"bond":{"friction_angle":"0.0 rad","kind":"none","scatter":{"kind":"none"}},'
         '"contact":{"friction_coefficient":0.0,"normal_stiffness":"1000000000.0 Pa",'
         '"shear_stiffness":"0.0 Pa"},'
-        '"crush":{"control":"speed","damping":0.2,"end_drop":0.9,"max_strain":0.2,"peak_drop":0.5,'
+        '"crush":{"control":"speed","damping":0.2,"end_drop":0.9,"loop":"GrainLoop","max_strain":0.2,"peak_drop":0.5,'
         '"platen_friction":0.0,"record_interval":0.0001,"speed":"0.001 m/s",'
         '"time_step_safety":0.5},'
         '"dimension":3,"element":{"density":"2000.0 kg/m^3","radius":"0.001 m"},"seed":1}'

@@ -16,7 +16,7 @@ MODELS = Path(__file__).parents[3] / "models"
 def card(**changes: object) -> Card:
     keys = {name.replace("__", "."): value for name, value in changes.items()}
     return Card.from_file(MODELS / "montesinho.toml").with_overrides(
-        {"crush.speed": "0.1 m/s"} | keys
+        {"crush.speed": "0.1 m/s", "agglomerate.leftover": "single"} | keys
     )
 
 

@@ -71,7 +71,7 @@ def test_equilibrium_is_found_again_from_the_arrays(pair):
     press = Press(card, prepared.specimen, corners, grain_material(card), 0.01)
     press.bond()
     press.to_rest()
-    assert press.interactions.ledger.breaks == 0
+    assert press.engines.ledger.breaks == 0
     assert press.void_ratio == pytest.approx(prepared.void_ratio, abs=2e-4)
     moved = np.linalg.norm(press.positions() - prepared.specimen.position, axis=1)
     assert np.median(moved) < 0.01 * card.element.radius

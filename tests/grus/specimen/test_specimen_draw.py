@@ -5,7 +5,7 @@ from matplotlib.figure import Figure
 
 from grus.errors import GrusError
 from grus.specimen import Circle, Sphere, Stamp, agglomerate, draw
-from grus.specimen.draw import _clump_colours
+from grus.specimen.draw import clump_colours
 from grus.specimen.touching import touching_pairs
 
 STAMP = Stamp(mean=1.0e-3, deviation=0.2e-3)
@@ -42,7 +42,7 @@ def test_space_specimen_is_drawn_from_back_to_front():
 def test_clumps_that_touch_differ_in_colour():
     specimen = agglomerate(Circle(30e-3), 0.6e-3, stamp=STAMP, seed=2)
     pairs = touching_pairs(specimen.position, specimen.radius)
-    colour = _clump_colours(specimen, pairs)
+    colour = clump_colours(specimen, pairs)
     first, second = specimen.clump[pairs].T
     apart = first != second
     assert (colour[first[apart]] != colour[second[apart]]).all()
