@@ -8,6 +8,7 @@ import numpy as np
 
 import grus  # makes Grus's classes known to YADE; from here on they stand beside YADE's own
 from grus.card import Card
+from grus.oedometer.run import SEATING
 from grus.oedometer.test import record
 from grus.preparation import prepare
 from grus.preparation.press import element_stiffness
@@ -42,7 +43,7 @@ servo = OedometerServo(
     top=top,
     sides=sum(sides, []),
     axis=card.dimension - 1,
-    area=prepared.box_volume / prepared.height,
+    area=float(np.prod(size[:-1])) * (card.thickness or 1),
     sideBreadth=card.thickness if card.dimension == 2 else float(np.mean(size[:2])),
     solidVolume=prepared.outline_volume,
     ledger=engines.ledger,
@@ -66,6 +67,7 @@ targets = [card.preparation.seating_stress]
 for stage in test.stages:
     targets.append(targets[-1] if stage.stress is None else stage.stress)
 for number, target in enumerate(targets):
+    servo.tolerance = test.tolerance if number else SEATING
     servo.begin(target)
     O.run(-1, True)
     strain, breaks = f"{100 * servo.strain:.4f} %", engines.ledger.breaks

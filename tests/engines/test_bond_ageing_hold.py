@@ -21,7 +21,7 @@ DURATION = {"power": 5e6, "corrosion": 6e5}
 @pytest.fixture(scope="module")
 def loaded(tmp_path_factory) -> str:
     """A scene of the column at rest under STRESS, without a broken bond."""
-    box = Box()
+    box = Box(agglomerate__leftover="merge")
     box.stage(STRESS)
     path = str(tmp_path_factory.mktemp("loaded") / "box.yade.gz")
     O.save(path)

@@ -17,10 +17,8 @@ FIGURES = Path(__file__).resolve().parent / "figures"
 RESULTS = Path(os.environ.get("GRUS_RESULTS", ROOT / "results")) / "validation-adaptive-speed"
 SEEDS = (1, 2, 3)
 SLOW, FAST = 0.01, 0.1  # m/s; the first is that of the paper
-READINGS = {
-    "recordStrain": 1e-6,
-    "recordStress": 1e-3,
-}  # dense enough to say what the steps are spent on
+READINGS = {"recordStrain": 1e-6, "recordStress": 1e-3}
+"""Attributes of the servo: dense enough to say what the steps are spent on."""
 
 
 def card(seed: int) -> grus.Card:

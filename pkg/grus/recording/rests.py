@@ -103,7 +103,7 @@ class _Stretch:
     def gain(self) -> float:
         """Chi-square that a constant saves, -inf for what is no rest at all."""
         reach = self.x[-1] - self.x[0]
-        if reach <= 0 or not self._level():
+        if reach <= 0 or not self._stays():
             return -np.inf
         line = fit_line(self.x, self.stress, self.noise)
         if abs(line.end - line.start) > WIDE * abs(self.level) + 3 * line.end_error:
@@ -122,7 +122,7 @@ class _Stretch:
         share = (self.last - self.first + 1) / len(self.stress)
         return float(share * saved / self.scatter**2)
 
-    def _level(self) -> bool:
+    def _stays(self) -> bool:
         """Whether ends and corners stay near the level."""
         if (np.abs(self.stress[[0, -1]] - self.level) > self._room).any():
             return False

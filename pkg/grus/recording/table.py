@@ -9,6 +9,8 @@ from grus.recording.errors import RecordingError, quoted
 MISSING = {"", "-", "--", "nan", "na", "n/a", "null", "none"}
 MISSING |= {"#n/a", "#na", "#div/0!", "#value!", "#ref!", "#num!", "#name?", "#null!"}
 """What stands for a reading that is missing, in small letters."""
+MOST_COMMENTS, LONGEST = 50, 300
+"""Comments that are kept, and characters of each."""
 
 
 @dataclass(frozen=True)
@@ -46,8 +48,8 @@ def table_of(source: str, lines: Iterable[tuple[int, list[Any]]], hint: str = ""
         if isinstance(first, str) and first.lstrip().startswith("#") and not missing(first):
             text = " ".join(str(cell) for cell in cells if cell not in (None, ""))
             name, equals, value = text.lstrip("# \t").partition("=")
-            if equals:
-                comments[name.strip()] = value.strip()
+            if equals and len(comments) < MOST_COMMENTS:
+                comments[name.strip()[:LONGEST]] = value.strip()[:LONGEST]
         elif not header:
             header = ["" if cell is None else str(cell).strip() for cell in cells]
         else:

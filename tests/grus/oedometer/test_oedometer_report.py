@@ -13,6 +13,7 @@ from grus.oedometer import summary, write_report
 from grus.oedometer.evenly import evenly
 from grus.plotting.energy import energy_plot
 from grus.plotting.lateral import lateral_plot
+from grus.recording import read
 
 FIGURES = (
     "compression",
@@ -112,6 +113,15 @@ def test_curve_is_the_record(curve, plane_result):
     end = curve[curve["stage [1]"] == 0].iloc[-1]
     assert end["axial_strain [1]"] == 0 and end["void_ratio_normalised [1]"] == 1
     assert curve["bonds_broken [1]"].iloc[-1] == plane_result.stages[-1].breaks
+
+
+def test_curve_is_read_as_a_recording(report, plane_result):
+    recording = read(report[0] / "curve.csv")
+    np.testing.assert_allclose(recording["axial_stress"], plane_result.stress, rtol=1e-8)
+    sides = plane_result.record["side_stress"]
+    np.testing.assert_allclose(recording["lateral_stress"], sides, rtol=1e-8)
+    strain = 1 - plane_result.record["height"] / plane_result.seated.height
+    np.testing.assert_allclose(recording["axial_strain"], strain, rtol=1e-8, atol=1e-12)
 
 
 def test_gradings_lose_no_mass(report, plane_result):

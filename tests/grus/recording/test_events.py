@@ -27,6 +27,16 @@ def test_a_jump_in_a_hold(number, intervals):
     assert at - 4 <= first and last <= at + intervals + 4
 
 
+def test_small_jumps_are_found_when_they_are_ten_times_the_noise():
+    time = np.arange(200.0)
+    found = 0
+    for number in range(50):
+        strain = 1e-4 * np.log1p(time / 5) + NOISE * Draw(23, number).gauss(200)
+        strain += 10 * NOISE * (time >= 40 + number)
+        found += [first for first, _ in find_jumps(strain, time)] == [39 + number]
+    assert found >= 48
+
+
 @pytest.mark.parametrize("number", range(20))
 def test_creep_has_none(number):
     assert find_jumps(creep(number), np.arange(200.0)) == []

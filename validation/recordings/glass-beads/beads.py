@@ -30,6 +30,7 @@ SHEAR_RATIO = (
     0.85  # shear over normal stiffness of glass spheres (Mindlin 1949, Poisson ratio 0.25)
 )
 WALLS = 6
+PACKING_MODULUS = 12e9  # Pa; one for all, since another leads to another packing
 MARGIN, POINTS = 1.5, 100_000
 WALL = 100.0  # stiffness of the walls over that of a sphere
 DAMPING = 0.4
@@ -56,12 +57,12 @@ def loaded(beads: Beads, stresses: list[float]) -> tuple[Record, float]:
     """
     specimen, box = _loose()
     O.reset()
-    stiffness = beads.modulus * DIAMETER
+    stiffness = PACKING_MODULUS * DIAMETER
     steel = BondMat(label="wall", kn=WALL * stiffness, ks=0, frictionAngle=0)
     walls = add_walls(np.zeros(3), box, steel)
     glass = BondMat(
         label="glass",
-        young=beads.modulus,
+        young=PACKING_MODULUS,
         poisson=SHEAR_RATIO,
         frictionAngle=atan(beads.packing_friction),
         density=DENSITY,
@@ -90,6 +91,7 @@ def loaded(beads: Beads, stresses: list[float]) -> tuple[Record, float]:
     engines.start([servo])
     _stage(servo, stresses[0])
     _set_friction(glass, beads.friction)
+    _set_modulus(beads.modulus, engines)
     servo.maxSpeed = _test_speed(stresses[0], servo.height)
     _stage(servo, stresses[0])
     found = porosity(np.array([O.bodies[one].state.pos for one in ids]), specimen.radius, walls)
@@ -146,6 +148,21 @@ def _set_friction(glass: BondMat, coefficient: float) -> None:
     for contact in O.interactions:
         if min(contact.id1, contact.id2) >= WALLS:
             contact.phys.tangensOfFrictionAngle = coefficient
+
+
+def _set_modulus(modulus: float, engines: GrainEngines) -> None:
+    """Of spheres, walls and the contacts that there are."""
+    factor = modulus / PACKING_MODULUS
+    for body in O.bodies[0], O.bodies[WALLS]:
+        for name in ("young", "kn", "ks"):
+            value = getattr(body.material, name)
+            if value > 0:
+                setattr(body.material, name, factor * value)
+    for contact in O.interactions:
+        contact.phys.kn *= factor
+        contact.phys.ks *= factor
+    engines.stepper.maxDt /= factor**0.5
+    O.dt = min(engines.stepper.maxDt, engines.stepper.safety * engines.stepper.critical())
 
 
 def _record(servo: OedometerServo) -> Record:
