@@ -4,13 +4,13 @@ import sys
 
 from tests import card, folder, specimens
 
-import grus
-from grus.oedometer import write_report
+import grus  # noqa: F401  loads YADE
+from grus.oedometer import oedometer, write_report
 
 
 def main(grains: int, seed: int, speed: float, strength: float) -> None:
     out = folder(grains, seed, speed, strength)
-    result = grus.oedometer(
+    result = oedometer(
         card(grains, seed, speed, strength),
         out,
         lambda share, line: print(f"{share:4.0%} {line}", flush=True),

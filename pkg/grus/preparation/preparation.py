@@ -94,10 +94,19 @@ def _compacted(card: Card, grains: list[Specimen], tell: Progress) -> tuple[Spec
         parts = join(grains, centres, meta={"maker": "preparation"})
         tell("compacting")
         compaction = Compaction(card, parts, size, attempt)
-        found += compaction.run()
+        reached = compaction.run()
+        if compaction.press.leaks:
+            tell("grains were pressed out of the box")
+            continue
+        found += reached
         tell(f"void ratio {found[-1]:.4f}, {found[-2]:.4f} when first at rest")
         if abs(found[-1] - target) <= 0.8 * tolerance:
             return compaction.result()
+    if not found:
+        raise GrusError(
+            f"{card.source}: preparation.compaction_speed = {card.preparation.compaction_speed:g}: grains were pressed "
+            "out of the box; allowed: less"
+        )
     raise GrusError(
         f"{card.source}: specimen.void_ratio = {target:g}: not reached in {card.preparation.attempts} packing(s); "
         f"allowed: what these grains can have, here {min(found):.3f} to {max(found):.3f}"

@@ -161,6 +161,13 @@ class Press:
             if interaction.id1 not in walls and interaction.id2 not in walls:
                 interaction.phys.tangensOfFrictionAngle = coefficient
 
+    @property
+    def leaks(self) -> bool:
+        """Whether the centre of an element is outside the box."""
+        lower, upper = wall_box(self.walls)
+        centre = self.positions()[:, : len(lower)]
+        return bool(((centre < lower) | (centre > upper)).any())
+
     def positions(self) -> np.ndarray:
         """Centres (n, 3) of the elements now [m]."""
         return np.array([O.bodies[one].state.pos for one in self.ids])
