@@ -6,6 +6,8 @@
 #include <omp.h>
 
 #include <grainloop/neighbours.hpp>
+#include <grainloop/pairKernel.hpp>
+#include <grainloop/scatter.hpp>
 #include <physics/kinematics.hpp>
 #include <physics/motion.hpp>
 
@@ -176,9 +178,7 @@ void Assembly::stepShare(int t, double dt) {
             for (int s = 0; s < end - begin; ++s)
                 if (block.event[s])
                     settle(begin + s, block, s, dt, share);
-        if (block.anySliding)
-            for (int s = 0; s < end - begin; ++s)
-                share.sliding += block.sliding[s];
+        share.sliding += block.slidingWork;
         scatter(dim, pairs, begin, end, block, forces.data(t));
     }
     if (t == 0)

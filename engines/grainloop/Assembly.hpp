@@ -9,7 +9,8 @@
 #include <grainloop/Pairs.hpp>
 #include <grainloop/Walls.hpp>
 #include <grainloop/bodyKernel.hpp>
-#include <grainloop/pairKernel.hpp>
+#include <grainloop/KindTable.hpp>
+#include <grainloop/PairBlock.hpp>
 
 namespace grus::grainloop {
 

@@ -31,7 +31,7 @@ public:
 
 private:
     int dim = 3;
-    std::vector<std::vector<double>> part;
+    std::vector<Array<double>> part;
 };
 
 }

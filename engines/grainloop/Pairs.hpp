@@ -19,18 +19,18 @@ struct PairKind {
 
 /// Pairs sorted by their elements, smaller first. 140 bytes each (in the plane 92 of them are used).
 struct Pairs {
-    std::vector<int> first, second, kind;
-    Vectors normal;                    ///< of the last step
-    Vectors contactShear;              ///< [N]
-    Vectors bondShear;                 ///< [N]
-    Vectors bending;                   ///< [N m]
-    std::vector<double> twist;         ///< [N m]
-    std::vector<double> overlap0;      ///< overlap at the birth of the bond [m]
-    std::vector<double> tensile;       ///< strength of the bond; huge without a bond
-    std::vector<double> shear;         ///< strength of the bond; huge without a bond
-    std::vector<int> link;             ///< number of YADE's interaction; -1: there is none
-    std::vector<std::int8_t> breakage; ///< how its bond broke: 0 not, 1 in tension, 2 in shear
-    std::vector<std::int8_t> lost;     ///< 1 when it has come apart and forgotten its bond since it was linked
+    Array<int> first, second, kind;
+    Vectors normal;              ///< of the last step
+    Vectors contactShear;        ///< [N]
+    Vectors bondShear;           ///< [N]
+    Vectors bending;             ///< [N m]
+    Array<double> twist;         ///< [N m]
+    Array<double> overlap0;      ///< overlap at the birth of the bond [m]
+    Array<double> tensile;       ///< strength of the bond; huge without a bond
+    Array<double> shear;         ///< strength of the bond; huge without a bond
+    Array<int> link;             ///< number of YADE's interaction; -1: there is none
+    Array<std::int8_t> breakage; ///< how its bond broke: 0 not, 1 in tension, 2 in shear
+    Array<std::int8_t> lost;     ///< 1 when it has come apart and forgotten its bond since it was linked
 
     std::size_t size() const { return first.size(); }
     void resize(std::size_t n);
@@ -40,8 +40,8 @@ struct Pairs {
     void clear(std::size_t to, int one, int two, int pairKind);
 };
 
-/// Strength of a pair that has no bond to break.
-constexpr double unbreakable = 1e300;
+/// Strength of a pair that has no bond to break; its square is a number, too.
+constexpr double unbreakable = 1e150;
 
 /// What the pair carries, for the functions of physics/pairlaw.hpp; `overlap` since birth of the bond.
 physics::PairState pairState(const Pairs& pairs, std::size_t k, const PairKind& kind, double overlap);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
+#include <grainloop/Array.hpp>
 
 #include <physics/vector.hpp>
 
@@ -12,7 +12,7 @@ using physics::Vec3;
 
 /// n vectors, one array a component.
 struct Vectors {
-    std::vector<double> x, y, z;
+    Array<double> x, y, z;
 
     void resize(std::size_t n) {
         x.resize(n);

@@ -1,165 +1,145 @@
 #include <grainloop/pairKernel.hpp>
 
 #include <algorithm>
+#include <numeric>
 
-#include <grainloop/Forces.hpp>
+#include <grainloop/pairMotion.hpp>
 #include <grainloop/processor.hpp>
-#include <physics/kinematics.hpp>
 
 namespace grus::grainloop {
 
 namespace {
 
-using physics::BondKind;
-
-enum Column {
-    Kn,
-    Ks,
-    TanPhi,
-    BondKn,
-    BondKs,
-    BondKb,
-    BondKt,
-    Area,
-    Inertia,
-    Polar,
-    Radius,
-    Beta,
-    BondTanPhi,
-    Kind,
-    Tie
+/// Two rows of the table; copies, which the stores of a loop cannot change.
+struct TwoRows {
+    std::int64_t first;
+    double one[KindTable::width], other[KindTable::width];
 };
 
 /// Plain pointers, which the compiler can tell apart.
 struct View {
-    Components<const double> position, velocity, rate;
-    const double* __restrict__ radius;
-    const int* __restrict__ first, * __restrict__ second, * __restrict__ kind;
     Components<const double> normal, contactShear, bondShear, bending;
     const double* __restrict__ twist, * __restrict__ overlap0, * __restrict__ tensile, * __restrict__ shear;
     const double* __restrict__ table;
 };
 
-template <int dim>
-[[gnu::always_inline]] inline void step(const View& v, int k, int slot, int row, double dt, PairBlock& out) {
+/// One step of pair `k`, which is number `s` of the block.
+template <int dim, bool two>
+[[gnu::always_inline]] inline void step(const View& v, std::int64_t k, std::int64_t s, const TwoRows& rows,
+                                        PairBlock& out) {
     using namespace physics;
-    const int i = v.first[k], j = v.second[k];
-    const PairConstants c{BondKind::None,
-                          v.table[row + Kn],
-                          v.table[row + Ks],
-                          v.table[row + TanPhi],
-                          {v.table[row + BondKn], v.table[row + BondKs], v.table[row + BondKb], v.table[row + BondKt]},
-                          {v.table[row + Area], v.table[row + Inertia], v.table[row + Polar]},
-                          v.table[row + Radius],
-                          v.table[row + Beta]};
-    const double contactBond = v.table[row + Kind], tie = v.table[row + Tie];
+    using K = KindTable;
+    const std::int64_t row = out.row[s];
+    const bool isFirst = row == rows.first;
+    const auto constant = [&](K::Column column) [[gnu::always_inline]] {
+        return two ? (isFirst ? rows.one[column] : rows.other[column]) : v.table[row * K::width + column];
+    };
+    const bool glued = constant(K::Glued) > 0;
 
-    const Vec3 branch = polar<dim>(v.position, j) - polar<dim>(v.position, i);
-    const double distance = branch.norm(), r1 = v.radius[i], r2 = v.radius[j];
-    const Vec3 n = branch * (1 / distance);
-    const double penetration = r1 + r2 - distance, overlap = penetration - v.overlap0[k];
-    const Vec3 rate1 = axial<dim>(v.rate, i), rate2 = axial<dim>(v.rate, j);
-    const Vec3 slip =
-        physics::slip(polar<dim>(v.velocity, i), rate1, r1, polar<dim>(v.velocity, j), rate2, r2, distance, n, dt);
-    const double roll = 0.5 * dt * n.dot(rate1 + rate2);
+    const PairBlock& in = out;
+    const Vec3 normal = polar<dim>(components(in.normal), s), slip = polar<dim>(components(in.slip), s);
+    const double roll = dim == 3 ? in.roll[s] : 0, penetration = in.penetration[s];
+    const double overlap = penetration - v.overlap0[k];
 
     const Vec3 before = polar<dim>(v.normal, k);
-    const Vec3 contact0 = polar<dim>(v.contactShear, k), shear0 = polar<dim>(v.bondShear, k);
-    const Vec3 bending0 = axial<dim>(v.bending, k);
-    const double twist0 = dim == 3 ? v.twist[k] : 0;
-    const Vec3 contact1 = transportSmall(contact0, before, n, roll);
+    const Vec3 contact0 = transportSmall(polar<dim>(v.contactShear, k), before, normal, roll);
+    BondLoad load{0, transportSmall(polar<dim>(v.bondShear, k), before, normal, roll),
+                  transportSmall(axial<dim>(v.bending, k), before, normal, roll), dim == 3 ? v.twist[k] : 0};
+    deform(load, {constant(K::BondKn), constant(K::BondKs), constant(K::BondKb), constant(K::BondKt)}, overlap, slip,
+           axial<dim>(components(in.rotation), s), normal);
 
-    BondLoad load{0, transportSmall(shear0, before, n, roll), transportSmall(bending0, before, n, roll), twist0};
-    deform(load, c.bond, overlap, slip, (rate1 - rate2) * dt, n);
-    const BondStress rim = rimStress(load, c.section, c.bondRadius, c.beta);
+    const double pressed = contactNormal(constant(K::Kn), overlap);
+    const Vec3 trial = contact0 - constant(K::Ks) * slip;
+    const double factor = slideFactor(trial.squaredNorm(), pressed * constant(K::TanPhi));
+    const Vec3 contact = trial * (glued ? 1 : factor);
+    const double normalForce = glued ? constant(K::Kn) * overlap : pressed;
 
-    const double pressed = contactNormal(c.kn, overlap);
-    const Vec3 trial = contact1 - c.ks * slip;
-    const Vec3 slid = slide(trial, pressed * c.tanPhi);
-    const bool glued = contactBond > 0;
-    const double normalForce = glued ? c.kn * overlap : pressed;
-    const Vec3 contact2(glued ? trial.x() : slid.x(), glued ? trial.y() : slid.y(), glued ? trial.z() : slid.z());
-    const double sliding = lostEnergy(contact1, trial, slid, c.ks);
-
-    const double tension = glued ? -normalForce : rim.tension, mean = glued ? normalForce : rim.normal;
-    const double across = glued ? trial.norm() : rim.shear;
-    const bool breaks =
-        (tension >= v.tensile[k]) | (across >= shearStrength({0, v.shear[k], v.table[row + BondTanPhi]}, mean));
+    const BondLoad tested{
+        glued ? normalForce : load.normal,
+        {glued ? trial.x() : load.shear.x(), glued ? trial.y() : load.shear.y(), glued ? trial.z() : load.shear.z()},
+        load.bending,
+        load.twist};
+    const bool breaks = mayFail(tested, {constant(K::RimForce), constant(K::RimBending), constant(K::RimTwist)},
+                                {v.tensile[k], v.shear[k], constant(K::BondTanPhi)});
     // A pair that once was bonded forgets it when it comes apart; for any other there is nothing to do then.
-    const bool forgets = (tie < 0) & (overlap < 0) & (penetration < 0);
+    const bool forgets = (in.forgets[s] > 0) & (overlap < 0) & (penetration < 0);
     const bool event = breaks | forgets;
 
-    setPolar<dim>(components(out.normal), slot, n);
-    setPolar<dim>(components(out.contactShear), slot, contact2);
-    setPolar<dim>(components(out.bondShear), slot, load.shear);
-    setAxial<dim>(components(out.bending), slot, load.bending);
+    setPolar<dim>(components(out.contactShear), s, contact);
+    setPolar<dim>(components(out.bondShear), s, load.shear);
+    setAxial<dim>(components(out.bending), s, load.bending);
     if (dim == 3)
-        out.twist[slot] = load.twist;
+        out.twist[s] = load.twist;
 
-    const Vec3 force = (normalForce + load.normal) * n + (contact2 + load.shear);
-    const Vec3 moment = load.bending + load.twist * n;
-    const Vec3 turn = cross(n, force);
-    const Vec3 moment1 = -((r1 - 0.5 * penetration) * turn + moment);
-    const Vec3 moment2 = moment - (r2 - 0.5 * penetration) * turn;
-    const double work = glued | event ? 0 : sliding;
-    setPolar<dim>(components(out.force), slot, force);
-    setAxial<dim>(components(out.moment1), slot, moment1);
-    setAxial<dim>(components(out.moment2), slot, moment2);
-    out.sliding[slot] = work;
-    out.event[slot] = event;
+    const Vec3 force = (normalForce + load.normal) * normal + (contact + load.shear);
+    const Vec3 moment = load.bending + load.twist * normal;
+    const Vec3 turn = cross(normal, force);
+    const double work = (contact0 + contact).dot(trial - contact) * constant(K::HalfCompliance);
+    setPolar<dim>(components(out.force), s, force);
+    setAxial<dim>(components(out.moment1), s, -(in.arm1[s] * turn + moment));
+    setAxial<dim>(components(out.moment2), s, moment - in.arm2[s] * turn);
+    out.sliding[s] = event ? 0 : work;
+    out.event[s] = event;
 }
 
-template <int dim, bool uniform>
-[[gnu::always_inline]] inline void block(const View& v, double dt, int begin, int end, PairBlock& out) {
-    const int row = v.kind[begin] * KindTable::width;
-#pragma omp simd
-    for (int k = begin; k < end; ++k)
-        step<dim>(v, k, k - begin, uniform ? row : v.kind[k] * KindTable::width, dt, out);
-}
-
-#define GRUS_BLOCK(name, dim, uniform)                                                                                 \
-    GRUS_FOR_EACH_PROCESSOR(name, (const View& v, double dt, int begin, int end, PairBlock& out),                      \
-                            (block<dim, uniform>), (v, dt, begin, end, out))
-GRUS_BLOCK(planeUniform, 2, true)
-GRUS_BLOCK(planeMixed, 2, false)
-GRUS_BLOCK(spaceUniform, 3, true)
-GRUS_BLOCK(spaceMixed, 3, false)
-
-}
-
-KindTable::KindTable(const std::vector<PairKind>& kinds) : numbers(kinds.size() * width, 0.0) {
-    for (std::size_t n = 0; n < kinds.size(); ++n) {
-        const auto& c = kinds[n].constants;
-        double* row = &numbers[n * width];
-        row[Kn] = c.kn;
-        row[Ks] = c.ks;
-        row[TanPhi] = c.tanPhi;
-        row[Area] = row[Inertia] = 1;
-        row[BondTanPhi] = kinds[n].bondTanPhi;
-        row[Kind] = c.kind == BondKind::Contact;
-        row[Tie] = c.kind != BondKind::None ? 1 : kinds[n].forgotten >= 0 ? -1 : 0;
-        if (c.kind != BondKind::Parallel)
-            continue;
-        row[BondKn] = c.bond.normal;
-        row[BondKs] = c.bond.shear;
-        row[BondKb] = c.bond.bending;
-        row[BondKt] = c.bond.twist;
-        row[Area] = c.section.area;
-        row[Inertia] = c.section.inertia;
-        row[Polar] = c.section.polar;
-        row[Radius] = c.bondRadius;
-        row[Beta] = c.beta;
+template <int dim, bool two>
+[[gnu::always_inline]] inline void block(const View& v, int begin, int end, int firstRow, int secondRow,
+                                         PairBlock& out) {
+    TwoRows rows;
+    rows.first = firstRow;
+    for (int c = 0; c < KindTable::width; ++c) {
+        rows.one[c] = v.table[firstRow * KindTable::width + c];
+        rows.other[c] = v.table[secondRow * KindTable::width + c];
     }
+    const std::int64_t n = end - begin;
+#pragma omp simd
+    for (std::int64_t s = 0; s < n; ++s)
+        step<dim, two>(v, begin + s, s, rows, out);
 }
 
-namespace {
+#define GRUS_BLOCK(name, dim, two)                                                                                     \
+    GRUS_FOR_EACH_PROCESSOR(name, (const View& v, int begin, int end, int firstRow, int secondRow, PairBlock& out),    \
+                            (block<dim, two>), (v, begin, end, firstRow, secondRow, out))
+GRUS_BLOCK(planeTwo, 2, true)
+GRUS_BLOCK(planeMany, 2, false)
+GRUS_BLOCK(spaceTwo, 3, true)
+GRUS_BLOCK(spaceMany, 3, false)
+
+/// The rows of the table that a block needs.
+struct Rows {
+    int first, second;
+    bool more; ///< than these two
+};
+
+Rows readKinds(const Pairs& p, const KindTable& kinds, int begin, int end, PairBlock& out) {
+    const int n = end - begin;
+    int different = 0;
+    for (int k = begin; k < end; ++k)
+        different |= p.kind[k] ^ p.kind[begin];
+    const int first = kinds.rowOf(p.kind[begin]);
+    Rows rows{first, first, false};
+    if (!different) {
+        std::fill(out.row, out.row + n, first);
+        std::fill(out.forgets, out.forgets + n, kinds.forgets(p.kind[begin]));
+        return rows;
+    }
+    for (int s = 0; s < n; ++s) {
+        const int kind = p.kind[begin + s], row = kinds.rowOf(kind);
+        out.row[s] = row;
+        out.forgets[s] = kinds.forgets(kind);
+        if (row != first && rows.second == first)
+            rows.second = row;
+        rows.more |= row != first && row != rows.second;
+    }
+    return rows;
+}
 
 template <int dim> [[gnu::always_inline]] inline void keep(Pairs& p, int begin, int end, const PairBlock& b) {
     const auto normal = components(p.normal), contact = components(p.contactShear), bond = components(p.bondShear),
                bending = components(p.bending);
     double* __restrict__ twist = p.twist.data();
     const int n = end - begin;
-    const auto copy = [n, begin](double* __restrict__ to, const double* from, const int* event) {
+    const auto copy = [n, begin](double* __restrict__ to, const double* from, const std::int64_t* event) {
         if (!event)
             std::copy(from, from + n, to + begin);
         else
@@ -167,7 +147,7 @@ template <int dim> [[gnu::always_inline]] inline void keep(Pairs& p, int begin, 
                 if (!event[s])
                     to[begin + s] = from[s];
     };
-    const int* event = b.anyEvent ? b.event : nullptr;
+    const std::int64_t* event = b.anyEvent ? b.event : nullptr;
     for (const auto& [to, from] :
          {std::pair{normal, &b.normal}, std::pair{contact, &b.contactShear}, std::pair{bond, &b.bondShear}}) {
         copy(to.x, from->x, event);
@@ -186,73 +166,36 @@ template <int dim> [[gnu::always_inline]] inline void keep(Pairs& p, int begin, 
 void keepPlane(Pairs& p, int begin, int end, const PairBlock& b) { keep<2>(p, begin, end, b); }
 void keepSpace(Pairs& p, int begin, int end, const PairBlock& b) { keep<3>(p, begin, end, b); }
 
+/// Eight sums side by side, whatever the processor, so that all give the same bits.
+void summarise(PairBlock& block, int n) {
+    constexpr int lanes = 8;
+    std::fill(block.sliding + n, block.sliding + PairBlock::size, 0.0);
+    std::fill(block.event + n, block.event + PairBlock::size, 0);
+    double work[lanes] = {};
+    std::int64_t events[lanes] = {};
+    for (int s = 0; s < n; s += lanes)
+        for (int l = 0; l < lanes; ++l) {
+            work[l] += block.sliding[s + l];
+            events[l] |= block.event[s + l];
+        }
+    block.slidingWork = std::accumulate(work, work + lanes, 0.0);
+    block.anyEvent = std::any_of(events, events + lanes, [](std::int64_t e) { return e != 0; });
+}
+
 }
 
 void stepPairs(int dim, const Elements& e, Pairs& p, const KindTable& kinds, double dt, int begin, int end,
                PairBlock& out) {
     const Pairs& q = p;
-    const View view{components(e.position),
-                    components(e.velocity),
-                    components(e.rate),
-                    e.radius.data(),
-                    q.first.data(),
-                    q.second.data(),
-                    q.kind.data(),
-                    components(q.normal),
-                    components(q.contactShear),
-                    components(q.bondShear),
-                    components(q.bending),
-                    q.twist.data(),
-                    q.overlap0.data(),
-                    q.tensile.data(),
-                    q.shear.data(),
-                    kinds.row(0)};
-    int different = 0;
-    for (int k = begin; k < end; ++k)
-        different |= p.kind[k] ^ p.kind[begin];
-    if (dim == 2)
-        (different ? planeMixed : planeUniform)(view, dt, begin, end, out);
-    else
-        (different ? spaceMixed : spaceUniform)(view, dt, begin, end, out);
-    out.anyEvent = out.anySliding = 0;
-    for (int s = 0; s < end - begin; ++s) {
-        out.anyEvent |= out.event[s];
-        out.anySliding |= out.sliding[s] != 0;
-    }
+    const View view{components(q.normal), components(q.contactShear), components(q.bondShear), components(q.bending),
+                    q.twist.data(),       q.overlap0.data(),          q.tensile.data(),        q.shear.data(),
+                    kinds.data()};
+    movePairs(dim, e, p, dt, begin, end, out);
+    const Rows rows = readKinds(p, kinds, begin, end, out);
+    const auto plane = rows.more ? planeMany : planeTwo, space = rows.more ? spaceMany : spaceTwo;
+    (dim == 2 ? plane : space)(view, begin, end, rows.first, rows.second, out);
+    summarise(out, end - begin);
     (dim == 2 ? keepPlane : keepSpace)(p, begin, end, out);
-}
-
-namespace {
-
-template <int dim> inline void scatterBlock(const Pairs& p, int begin, int end, const PairBlock& b, double* forces) {
-    constexpr std::size_t stride = Forces::stride(dim);
-    for (int k = begin, s = 0; k < end; ++k, ++s) {
-        double* __restrict__ one = forces + p.first[k] * stride;
-        double* __restrict__ two = forces + p.second[k] * stride;
-        one[0] -= b.force.x[s];
-        one[1] -= b.force.y[s];
-        two[0] += b.force.x[s];
-        two[1] += b.force.y[s];
-        if (dim == 2) {
-            one[2] += b.moment1.z[s];
-            two[2] += b.moment2.z[s];
-            continue;
-        }
-        one[2] -= b.force.z[s];
-        two[2] += b.force.z[s];
-        one[3] += b.moment1.x[s];
-        one[4] += b.moment1.y[s];
-        one[5] += b.moment1.z[s];
-        two[3] += b.moment2.x[s];
-        two[4] += b.moment2.y[s];
-        two[5] += b.moment2.z[s];
-    }
-}
-
-}
-
-void scatter(int dim, const Pairs& pairs, int begin, int end, const PairBlock& block, double* forces) {
-    (dim == 2 ? scatterBlock<2> : scatterBlock<3>)(pairs, begin, end, block, forces);
 }
 
 }

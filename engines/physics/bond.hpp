@@ -59,14 +59,6 @@ inline void deform(BondLoad& load, const BondStiffness& k, double stretch, const
     load.twist += k.twist * rotation.dot(normal);
 }
 
-/// Stresses at the rim of a parallel bond of radius `radius`; `beta` in [0, 1] weighs the moments.
-inline BondStress rimStress(const BondLoad& load, const Section& s, double radius, double beta) {
-    const double perArea = 1 / s.area, arm = beta * radius;
-    const double torsion = s.polar > 0 ? arm / s.polar * std::abs(load.twist) : 0;
-    return {-load.normal * perArea + arm / s.inertia * load.bending.norm(), load.shear.norm() * perArea + torsion,
-            load.normal * perArea};
-}
-
 /// Shear strength under the mean normal stress `normal` (compression positive), Mohr-Coulomb, never below zero.
 inline double shearStrength(const BondStrength& strength, double normal) {
     return std::max(0.0, strength.shear + normal * strength.tanPhi);
@@ -80,6 +72,39 @@ inline Breakage failure(const BondStress& stress, const BondStrength& strength) 
     if (tension && shear)
         return stress.shear * strength.tensile > stress.tension * limit ? Breakage::Shear : Breakage::Tension;
     return tension ? Breakage::Tension : shear ? Breakage::Shear : Breakage::None;
+}
+
+/// What turns the load of a bond into stresses: the rim stress of a force of 1 N and of moments of 1 N m.
+struct RimFactors {
+    double force = 1;   ///< [1/m2]
+    double bending = 0; ///< [1/m3]
+    double twist = 0;   ///< [1/m3]
+};
+
+inline RimFactors rimFactors(const Section& s, double radius, double beta) {
+    return {1 / s.area, beta * radius / s.inertia, s.polar > 0 ? beta * radius / s.polar : 0};
+}
+
+/// Stresses at the rim of a parallel bond.
+inline BondStress rimStress(const BondLoad& load, const RimFactors& f) {
+    const double mean = load.normal * f.force;
+    return {-mean + f.bending * load.bending.norm(), f.force * load.shear.norm() + f.twist * std::abs(load.twist),
+            mean};
+}
+
+/// The same of a bond of radius `radius`; `beta` in [0, 1] weighs the moments.
+inline BondStress rimStress(const BondLoad& load, const Section& s, double radius, double beta) {
+    return rimStress(load, rimFactors(s, radius, beta));
+}
+
+/// False when failure() is None for sure; without a root, for loops over many bonds.
+inline bool mayFail(const BondLoad& load, const RimFactors& f, const BondStrength& strength) {
+    constexpr double margin = 1 + 1e-12; // for what squares round otherwise than roots
+    const double mean = load.normal * f.force;
+    const double bending = strength.tensile + mean; // stress that bending has still free
+    const double shear = shearStrength(strength, mean) - f.twist * std::abs(load.twist);
+    return (f.bending * f.bending * load.bending.squaredNorm() * margin >= bending * std::abs(bending)) |
+           (f.force * f.force * load.shear.squaredNorm() * margin >= shear * std::abs(shear));
 }
 
 /// Elastic energy [J] stored in a parallel bond.

@@ -64,7 +64,9 @@ inline void stepParallelBond(PairState& s, const PairConstants& c, const BondStr
                              PairEvents& events) {
     BondLoad load = s.load;
     deform(load, c.bond, m.overlap, m.slip, m.rotation, m.normal);
-    events.breakage = failure(rimStress(load, c.section, c.bondRadius, c.beta), strength);
+    const RimFactors rim = rimFactors(c.section, c.bondRadius, c.beta);
+    if (mayFail(load, rim, strength))
+        events.breakage = failure(rimStress(load, rim), strength);
     if (events.breakage != Breakage::None) {
         events.released = releasedEnergy(s.load, load, c.bond);
         s.bonded = false;

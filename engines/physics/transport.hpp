@@ -9,22 +9,18 @@
 
 namespace grus::physics {
 
-/// Turns `v` by the smallest rotation that brings the unit vector `from` onto the unit vector `to`.
+/// Turns `v`, across the unit vector `from`, by the smallest rotation that brings `from` onto the unit vector `to`.
 /// Exact for any angle below pi, so that lengths (and energies) do not creep over many turns; when a body has passed a
-/// wall and `to` is -`from`, a vector across them is reversed.
+/// wall and `to` is -`from`, the vector stays.
 inline Vec3 turn(const Vec3& v, const Vec3& from, const Vec3& to) {
-    const Vec3 axis = cross(from, to); // length = sine of the angle
-    const double cosine = from.dot(to);
-    const double share = 1 / (1 + cosine + std::numeric_limits<double>::min()); // finite for the reversed normal, too
-    return v * cosine + cross(axis, v) + axis * (axis.dot(v) * share);
+    const double share = 1 / (1 + from.dot(to) + std::numeric_limits<double>::min()); // finite for -from, too
+    return v - (from + to) * (to.dot(v) * share);
 }
 
-/// Turns `v` about the unit vector `n` by the angle of sine `s` and cosine `c`.
-inline Vec3 spin(const Vec3& v, const Vec3& n, double s, double c) {
-    return v * c + cross(n, v) * s + n * (n.dot(v) * (1 - c));
-}
+/// Turns `v`, across the unit vector `n`, about it by the angle of sine `s` and cosine `c`.
+inline Vec3 spin(const Vec3& v, const Vec3& n, double s, double c) { return v * c + cross(n, v) * s; }
 
-/// Turns `v` by `angle` [rad] about the unit vector `n`.
+/// The same by `angle` [rad].
 inline Vec3 spin(const Vec3& v, const Vec3& n, double angle) {
     const bool small = std::abs(angle) < smallAngle;
     return spin(v, n, small ? smallSine(angle) : std::sin(angle), small ? smallCosine(angle) : std::cos(angle));

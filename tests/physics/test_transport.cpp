@@ -7,14 +7,14 @@
 using namespace grus::physics;
 
 TEST(Transport, TurnIsTheSmallestRotation) {
-    const Vec3 from = Vec3(1, 2, -1).normalized(), to = Vec3(-0.3, 1, 2).normalized(), v(0.4, -0.1, 0.8);
+    const Vec3 from = Vec3(1, 2, -1).normalized(), to = Vec3(-0.3, 1, 2).normalized();
+    const Vec3 v = across({0.4, -0.1, 0.8}, from);
     const Vec3 expected = Eigen::Quaterniond::FromTwoVectors(from, to) * v;
     EXPECT_TRUE(turn(v, from, to).isApprox(expected, 1e-14));
-    EXPECT_TRUE(turn(from, from, to).isApprox(to, 1e-14));
 }
 
 TEST(Transport, SpinIsRodriguesRotation) {
-    const Vec3 n = Vec3(1, -1, 0.5).normalized(), v(0.4, -0.1, 0.8);
+    const Vec3 n = Vec3(1, -1, 0.5).normalized(), v = across({0.4, -0.1, 0.8}, n);
     EXPECT_TRUE(spin(v, n, 0.7).isApprox(Eigen::AngleAxisd(0.7, n) * v, 1e-14));
 }
 
@@ -34,8 +34,7 @@ TEST(Transport, NothingMovesWhenTheNormalStands) {
     EXPECT_TRUE(transport(v, n, n, 0).isApprox(v, 1e-16));
 }
 
-TEST(Transport, VectorAcrossAReversedNormalIsReversed) {
+TEST(Transport, VectorStaysWhenTheNormalIsReversed) {
     const Vec3 n(0, -1, 0), v(0.3, 0, -0.4);
-    EXPECT_TRUE(turn(v, n, -n).isApprox(-v, 1e-16));
-    EXPECT_TRUE(transport(v, n, -n, 0).isApprox(-v, 1e-16));
+    EXPECT_TRUE(transport(v, n, -n, 0).isApprox(v, 1e-16));
 }
