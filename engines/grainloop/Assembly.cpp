@@ -54,6 +54,7 @@ void Assembly::divide() {
 void Assembly::search(double skin) {
     const auto close = neighbours(elements, skin);
     Pairs all;
+    all.options = pairs.options;
     all.resize(close.size() + pairs.size());
     std::size_t n = 0, old = 0;
     const auto before = [&](const std::pair<int, int>& p) {
@@ -135,8 +136,10 @@ void Assembly::settle(int k, PairBlock& block, int slot, double dt, Share& share
     const PairMotion motion{overlap,
                             slip(elements.velocity[i], rate1, r1, elements.velocity[j], rate2, r2, distance, n, dt),
                             (rate1 - rate2) * dt, n, 0.5 * dt * n.dot(rate1 + rate2)};
-    // The force along the normal before this step is not kept; where the two came from tells it.
-    const double before = overlap + distance - (branch - dt * (elements.velocity[j] - elements.velocity[i])).norm();
+    // The overlap before this step is not kept without options; where the two came from tells it.
+    const double before =
+        pairs.options ? pairs.lastOverlap[k]
+                      : overlap + distance - (branch - dt * (elements.velocity[j] - elements.velocity[i])).norm();
     PairState s = pairState(pairs, k, kind, before);
     const PairEvents events = stepPair(s, kind.constants, {pairs.tensile[k], pairs.shear[k], kind.bondTanPhi}, motion);
     pairs.normal.set(k, n);
@@ -144,6 +147,11 @@ void Assembly::settle(int k, PairBlock& block, int slot, double dt, Share& share
     pairs.bondShear.set(k, s.load.shear);
     pairs.bending.set(k, s.load.bending);
     pairs.twist[k] = s.load.twist;
+    if (pairs.options) {
+        pairs.rolling.set(k, s.rolling);
+        pairs.lastOverlap[k] = s.overlap;
+        pairs.largest[k] = s.largest;
+    }
     if (events.breakage != Breakage::None) {
         pairs.breakage[k] = static_cast<std::int8_t>(events.breakage);
         pairs.kind[k] = kind.broken;
@@ -269,7 +277,7 @@ double Assembly::contactStiffness(int wall) const {
     double sum = 0;
     for (const WallContact& c : wallContacts)
         if (c.wall == wall && c.touches)
-            sum += kinds[c.kind].constants.kn;
+            sum += physics::contactTangents(kinds[c.kind].constants, c.state.overlap).normal;
     return sum;
 }
 

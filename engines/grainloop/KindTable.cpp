@@ -18,6 +18,16 @@ KindTable::KindTable(const std::vector<PairKind>& kinds) {
         row[RimForce] = 1;
         row[BondTanPhi] = kind.bondTanPhi;
         row[Glued] = c.kind == BondKind::Contact;
+        const physics::Hysteresis h = physics::hysteresis(c.kn, c.options.unloadingRatio);
+        row[UnloadingKn] = h.stiffness;
+        row[PlasticShare] = h.plasticShare;
+        row[HertzNormal] = c.options.hertz.normal;
+        row[HertzShear] = c.options.hertz.shear;
+        row[Bonded] = c.kind != BondKind::None;
+        if (c.kind == BondKind::None) {
+            row[RollingStiffness] = c.options.rolling.stiffness;
+            row[RollingArm] = c.options.rolling.arm;
+        }
         if (c.kind == BondKind::Parallel) {
             row[BondKn] = c.bond.normal;
             row[BondKs] = c.bond.shear;

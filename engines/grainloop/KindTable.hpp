@@ -24,6 +24,15 @@ public:
         RimTwist,
         BondTanPhi,
         Glued, ///< 1 with a contact bond
+        plainWidth,
+        // With options:
+        UnloadingKn = plainWidth,
+        PlasticShare, ///< of the largest overlap
+        HertzNormal,
+        HertzShear,
+        RollingStiffness, ///< over the shear stiffness
+        RollingArm,
+        Bonded, ///< 1 with a bond of either kind
         width
     };
 

@@ -32,11 +32,15 @@ struct alignas(64) PairBlock {
     double twist[size];
     Column force;            ///< on the second element [N]
     Column moment1, moment2; ///< on both [N m]
-    double sliding[size];    ///< work of friction [J]
+    double sliding[size];    ///< work lost in the contact [J]
     /// 1 for a pair that needs the scalar law, because its bond may break or it comes apart; it is left as it was.
     std::int64_t event[size];
     bool anyEvent;
     double slidingWork; ///< of all [J]
+
+    // Of contacts with options only:
+    Column rolling;                      ///< moment on the second element [N m]
+    double overlap[size], largest[size]; ///< [m]
 };
 
 inline Components<double> components(PairBlock::Column& c) { return {c.x, c.y, c.z}; }

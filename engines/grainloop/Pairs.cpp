@@ -11,6 +11,11 @@ void Pairs::resize(std::size_t n) {
         v->resize(n);
     breakage.resize(n);
     lost.resize(n);
+    if (!options)
+        return;
+    rolling.resize(n);
+    lastOverlap.resize(n);
+    largest.resize(n);
 }
 
 void Pairs::copy(std::size_t to, const Pairs& other, std::size_t from) {
@@ -28,6 +33,11 @@ void Pairs::copy(std::size_t to, const Pairs& other, std::size_t from) {
     link[to] = other.link[from];
     breakage[to] = other.breakage[from];
     lost[to] = other.lost[from];
+    if (!options)
+        return;
+    rolling.set(to, other.rolling[from]);
+    lastOverlap[to] = other.lastOverlap[from];
+    largest[to] = other.largest[from];
 }
 
 void Pairs::clear(std::size_t to, int one, int two, int pairKind) {
@@ -40,6 +50,10 @@ void Pairs::clear(std::size_t to, int one, int two, int pairKind) {
     tensile[to] = shear[to] = unbreakable;
     link[to] = -1;
     breakage[to] = lost[to] = 0;
+    if (!options)
+        return;
+    rolling.set(to, Vec3::Zero());
+    lastOverlap[to] = largest[to] = 0;
 }
 
 physics::PairState pairState(const Pairs& pairs, std::size_t k, const PairKind& kind, double overlap) {
@@ -47,10 +61,15 @@ physics::PairState pairState(const Pairs& pairs, std::size_t k, const PairKind& 
     const auto& c = kind.constants;
     physics::PairState s;
     s.bonded = c.kind != BondKind::None;
-    s.contactNormal = c.kind == BondKind::Contact ? c.kn * overlap : physics::contactNormal(c.kn, overlap);
     s.contactShear = pairs.contactShear[k];
     s.load = {c.bond.normal * overlap, pairs.bondShear[k], pairs.bending[k], pairs.twist[k]};
     s.lastNormal = pairs.normal[k];
+    s.overlap = overlap;
+    if (pairs.options) {
+        s.largest = pairs.largest[k];
+        s.rolling = pairs.rolling[k];
+    }
+    s.contactNormal = physics::contactForce(s, c);
     return s;
 }
 

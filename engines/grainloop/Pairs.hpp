@@ -17,7 +17,8 @@ struct PairKind {
     int forgotten = -1; ///< kind after a broken pair has come apart, which then is like any other contact; else -1
 };
 
-/// Pairs sorted by their elements, smaller first. 140 bytes each (in the plane 92 of them are used).
+/// Pairs sorted by their elements, smaller first. 140 bytes each (in the plane 92 of them are used), and 40 more (24)
+/// when a contact can have options.
 struct Pairs {
     Array<int> first, second, kind;
     Vectors normal;              ///< of the last step
@@ -28,6 +29,10 @@ struct Pairs {
     Array<double> overlap0;      ///< overlap at the birth of the bond [m]
     Array<double> tensile;       ///< strength of the bond; huge without a bond
     Array<double> shear;         ///< strength of the bond; huge without a bond
+    bool options = false;        ///< whether the next three are kept; see physics::ContactOptions
+    Vectors rolling;             ///< moment of rolling resistance [N m]
+    Array<double> lastOverlap;   ///< of the last step, since the birth of the bond [m]
+    Array<double> largest;       ///< largest of these overlaps [m]
     Array<int> link;             ///< number of YADE's interaction; -1: there is none
     Array<std::int8_t> breakage; ///< how its bond broke: 0 not, 1 in tension, 2 in shear
     Array<std::int8_t> lost;     ///< 1 when it has come apart and forgotten its bond since it was linked

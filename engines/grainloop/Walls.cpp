@@ -42,12 +42,12 @@ double stepWalls(std::vector<Wall>& walls, std::vector<WallContact>& contacts, c
             contact.state = {};
             continue;
         }
-        const Vec3 force = pairForce(contact.state, g.normal);
+        const Vec3 force = pairForce(contact.state, g.normal), moment = pairMoment(contact.state, g.normal);
         Vec3 point = centre;
         point[wall.axis] = wall.position[wall.axis];
-        forces.add(thread, i, force, cross(point - centre, force));
+        forces.add(thread, i, force, cross(point - centre, force) + moment);
         wall.force -= force;
-        wall.moment -= cross(point - wall.position, force);
+        wall.moment -= cross(point - wall.position, force) + moment;
     }
     return sliding;
 }

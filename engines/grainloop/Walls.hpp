@@ -62,8 +62,8 @@ std::vector<WallContact> wallContacts(const std::vector<Wall>& walls, const Elem
     return contacts;
 }
 
-/// One step of all contacts; adds to the forces of `thread` and to those of the walls. Returns the work of friction
-/// [J].
+/// One step of all contacts; adds to the forces of `thread` and to those of the walls. Returns the work lost in
+/// them [J].
 double stepWalls(std::vector<Wall>& walls, std::vector<WallContact>& contacts, const std::vector<PairKind>& kinds,
                  const Elements& elements, double dt, Forces& forces, int thread);
 

@@ -21,10 +21,13 @@ struct View {
     Components<const double> normal, contactShear, bondShear, bending;
     const double* __restrict__ twist, * __restrict__ overlap0, * __restrict__ tensile, * __restrict__ shear;
     const double* __restrict__ table;
+    // With options:
+    Components<const double> rolling;
+    const double* __restrict__ lastOverlap, * __restrict__ largest;
 };
 
 /// One step of pair `k`, which is number `s` of the block.
-template <int dim, bool two>
+template <int dim, bool two, bool options>
 [[gnu::always_inline]] inline void step(const View& v, std::int64_t k, std::int64_t s, const TwoRows& rows,
                                         PairBlock& out) {
     using namespace physics;
@@ -48,10 +51,40 @@ template <int dim, bool two>
     deform(load, {constant(K::BondKn), constant(K::BondKs), constant(K::BondKb), constant(K::BondKt)}, overlap, slip,
            axial<dim>(components(in.rotation), s), normal);
 
-    const double pressed = contactNormal(constant(K::Kn), overlap);
-    const Vec3 trial = contact0 - constant(K::Ks) * slip;
-    const double factor = slideFactor(trial.squaredNorm(), pressed * constant(K::TanPhi));
-    const Vec3 contact = trial * (glued ? 1 : factor);
+    double pressed, lost; // normal force without tension; energy
+    Vec3 trial, contact, rolling;
+    if constexpr (options) {
+        // stepContactWithOptions() and stepRolling() of the scalar law.
+        const HertzStiffness hertz{constant(K::HertzNormal), constant(K::HertzShear)};
+        const double last = v.lastOverlap[k], alpha = constant(K::RollingStiffness);
+        const NormalStep along =
+            stepNormal({constant(K::UnloadingKn), constant(K::PlasticShare)}, hertz, last, overlap, v.largest[k]);
+        const double ks0 = shearStiffness(constant(K::Ks), hertz, last),
+                     ks = shearStiffness(constant(K::Ks), hertz, overlap);
+        pressed = along.force;
+        trial = contact0 - ks * slip;
+        const LimitedStep shear = stepLimited(contact0, trial, glued ? unbreakable : pressed * constant(K::TanPhi),
+                                              halfCompliance(ks0), halfCompliance(ks));
+        contact = shear.after;
+        const Vec3 rolling0 = transportSmall(axial<dim>(v.rolling, k), before, normal, roll);
+        const Vec3 turned = across(axial<dim>(components(in.rotation), s), normal);
+        const LimitedStep rolled =
+            stepLimited(rolling0, rolling0 + alpha * ks * turned, pressed * constant(K::RollingArm),
+                        halfCompliance(alpha * ks0), halfCompliance(alpha * ks));
+        rolling = rolled.after;
+        lost = along.lost + shear.lost + rolled.lost;
+        setAxial<dim>(components(out.rolling), s, rolling);
+        out.overlap[s] = overlap;
+        // What comes apart without a bond forgets.
+        const bool apart = (overlap < 0) & (penetration < 0) & !(constant(K::Bonded) > 0);
+        out.largest[s] = apart ? 0 : along.largest;
+    } else {
+        pressed = contactNormal(constant(K::Kn), overlap);
+        trial = contact0 - constant(K::Ks) * slip;
+        const double factor = slideFactor(trial.squaredNorm(), pressed * constant(K::TanPhi));
+        contact = trial * (glued ? 1 : factor);
+        lost = (contact0 + contact).dot(trial - contact) * constant(K::HalfCompliance);
+    }
     const double normalForce = glued ? constant(K::Kn) * overlap : pressed;
 
     const BondLoad tested{
@@ -72,38 +105,41 @@ template <int dim, bool two>
         out.twist[s] = load.twist;
 
     const Vec3 force = (normalForce + load.normal) * normal + (contact + load.shear);
-    const Vec3 moment = load.bending + load.twist * normal;
+    Vec3 moment = load.bending + load.twist * normal;
+    if constexpr (options)
+        moment += rolling;
     const Vec3 turn = cross(normal, force);
-    const double work = (contact0 + contact).dot(trial - contact) * constant(K::HalfCompliance);
     setPolar<dim>(components(out.force), s, force);
     setAxial<dim>(components(out.moment1), s, -(in.arm1[s] * turn + moment));
     setAxial<dim>(components(out.moment2), s, moment - in.arm2[s] * turn);
-    out.sliding[s] = event ? 0 : work;
+    out.sliding[s] = event ? 0 : lost;
     out.event[s] = event;
 }
 
-template <int dim, bool two>
+template <int dim, bool two, bool options>
 [[gnu::always_inline]] inline void block(const View& v, int begin, int end, int firstRow, int secondRow,
                                          PairBlock& out) {
     TwoRows rows;
     rows.first = firstRow;
-    for (int c = 0; c < KindTable::width; ++c) {
+    for (int c = 0; c < (options ? KindTable::width : KindTable::plainWidth); ++c) {
         rows.one[c] = v.table[firstRow * KindTable::width + c];
         rows.other[c] = v.table[secondRow * KindTable::width + c];
     }
     const std::int64_t n = end - begin;
 #pragma omp simd
     for (std::int64_t s = 0; s < n; ++s)
-        step<dim, two>(v, begin + s, s, rows, out);
+        step<dim, two, options>(v, begin + s, s, rows, out);
 }
 
-#define GRUS_BLOCK(name, dim, two)                                                                                     \
+#define GRUS_BLOCK(name, dim, two, options)                                                                            \
     GRUS_FOR_EACH_PROCESSOR(name, (const View& v, int begin, int end, int firstRow, int secondRow, PairBlock& out),    \
-                            (block<dim, two>), (v, begin, end, firstRow, secondRow, out))
-GRUS_BLOCK(planeTwo, 2, true)
-GRUS_BLOCK(planeMany, 2, false)
-GRUS_BLOCK(spaceTwo, 3, true)
-GRUS_BLOCK(spaceMany, 3, false)
+                            (block<dim, two, options>), (v, begin, end, firstRow, secondRow, out))
+GRUS_BLOCK(planeTwo, 2, true, false)
+GRUS_BLOCK(planeMany, 2, false, false)
+GRUS_BLOCK(spaceTwo, 3, true, false)
+GRUS_BLOCK(spaceMany, 3, false, false)
+GRUS_BLOCK(planeOptions, 2, false, true)
+GRUS_BLOCK(spaceOptions, 3, false, true)
 
 /// The rows of the table that a block needs.
 struct Rows {
@@ -155,6 +191,16 @@ template <int dim> [[gnu::always_inline]] inline void keep(Pairs& p, int begin, 
         if (dim == 3)
             copy(to.z, from->z, event);
     }
+    if (p.options) {
+        const auto rolling = components(p.rolling);
+        copy(p.lastOverlap.data(), b.overlap, event);
+        copy(p.largest.data(), b.largest, event);
+        copy(rolling.z, b.rolling.z, event);
+        if (dim == 3) {
+            copy(rolling.x, b.rolling.x, event);
+            copy(rolling.y, b.rolling.y, event);
+        }
+    }
     copy(bending.z, b.bending.z, event);
     if (dim == 3) {
         copy(bending.x, b.bending.x, event);
@@ -189,10 +235,15 @@ void stepPairs(int dim, const Elements& e, Pairs& p, const KindTable& kinds, dou
     const Pairs& q = p;
     const View view{components(q.normal), components(q.contactShear), components(q.bondShear), components(q.bending),
                     q.twist.data(),       q.overlap0.data(),          q.tensile.data(),        q.shear.data(),
-                    kinds.data()};
+                    kinds.data(),         components(q.rolling),      q.lastOverlap.data(),    q.largest.data()};
     movePairs(dim, e, p, dt, begin, end, out);
     const Rows rows = readKinds(p, kinds, begin, end, out);
-    const auto plane = rows.more ? planeMany : planeTwo, space = rows.more ? spaceMany : spaceTwo;
+    const auto plane = p.options   ? planeOptions
+                       : rows.more ? planeMany
+                                   : planeTwo,
+               space = p.options   ? spaceOptions
+                       : rows.more ? spaceMany
+                                   : spaceTwo;
     (dim == 2 ? plane : space)(view, begin, end, rows.first, rows.second, out);
     summarise(out, end - begin);
     (dim == 2 ? keepPlane : keepSpace)(p, begin, end, out);

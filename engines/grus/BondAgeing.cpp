@@ -27,7 +27,8 @@ BondPhys* bonded(const Interaction& interaction) {
 
 void BondAgeing::postLoad(BondAgeing&) {
     const std::string of = "BondAgeing.";
-    require(law == "power" || law == "corrosion", of + "law", "'" + law + "'", "'corrosion', 'power'");
+    require(law == "power" || law == "corrosion" || law == "none", of + "law", "'" + law + "'",
+            "'corrosion', 'none', 'power'");
     require(drivenBy == "tension" || drivenBy == "larger", of + "drivenBy", "'" + drivenBy + "'",
             "'larger', 'tension'");
     require(exponent >= 0, of + "exponent", exponent, "0 or more");
@@ -48,6 +49,10 @@ void BondAgeing::postLoad(BondAgeing&) {
 
 AgeingLaw BondAgeing::ageingLaw() const {
     AgeingLaw found;
+    if (law == "none") {
+        found.power.humidity = 0;
+        return found;
+    }
     found.corrosion = law == "corrosion";
     if (found.corrosion)
         require(beta1 > 0, "BondAgeing.beta1", beta1, "more than 0 with law = 'corrosion'");
@@ -224,6 +229,16 @@ void BondAgeing::followStress() {
     }
     if (due > 0 && (servo->done || scene->iter - lastLook >= lookInterval))
         ageByDue();
+    wetWhenDue();
+}
+
+void BondAgeing::wetWhenDue() {
+    if (wetAt < 0 || clock < wetAt)
+        return;
+    wet(wetFactor);
+    wetAt = -1;
+    if (servo->done)
+        awaitRest(0);
 }
 
 /// Reading of the clock when the stress that has been `passed` reaches `stress` [Pa].
@@ -278,7 +293,11 @@ std::vector<Real> BondAgeing::intactShares() const {
 void BondAgeing::record(Real reading) {
     recordClock.push_back(reading);
     recordHeight.push_back(servo ? servo->height : 0);
+    recordStage.push_back(servo ? servo->stage : -1);
     recordStress.push_back(servo ? servo->axialStress() : 0);
+    recordTop.push_back(servo ? servo->topStress : 0);
+    recordBottom.push_back(servo ? servo->bottomStress : 0);
+    recordSide.push_back(servo ? servo->sideStress : 0);
     recordFailures.push_back(failures());
     recordBreaks.push_back(ledger ? ledger->breaks() : 0);
 }

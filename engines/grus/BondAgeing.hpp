@@ -21,7 +21,7 @@ public:
     // clang-format off
     YADE_CLASS_BASE_DOC_ATTRS_CTOR_PY(BondAgeing, GlobalEngine,
         "Static fatigue of bonds, on a laboratory clock apart from DEM time. In a :yref:`hold<BondAgeing.hold>` it waits until the specimen is at rest, lets the clock jump to the next failure of a bond, and waits again; while the specimen is loaded the clock may follow the stress. Put it last in ``O.engines``.",
-        ((std::string, law, "power", Attr::triggerPostLoad, "How bonds age: 'power' (Charles 1958), which takes strength, or 'corrosion' (Potyondy 2007), which takes the diameter of parallel bonds."))
+        ((std::string, law, "power", Attr::triggerPostLoad, "How bonds age: 'power' (Charles 1958), which takes strength, 'corrosion' (Potyondy 2007), which takes the diameter of parallel bonds, or 'none': only the clock goes on."))
         ((Real, exponent, 0, Attr::triggerPostLoad, "Exponent n of the power law [-]."))
         ((Real, referenceTime, 0, Attr::triggerPostLoad, "Time t0 of the power law [s]: a bond under a small constant stress lasts t0/(n+1) (stress/strength)^-n."))
         ((Real, beta1, 0, Attr::triggerPostLoad, "Rate at which the diameter of an almost unloaded bond falls by stress corrosion [m/s]."))
@@ -30,7 +30,7 @@ public:
         ((std::string, drivenBy, "larger", Attr::triggerPostLoad, "Stress that ages a bond: 'larger', tension or shear beyond friction, whichever is the larger share of its strength, or 'tension', the peak tension alone (Potyondy 2007)."))
         ((Real, humidity, 1, Attr::triggerPostLoad, "Relative humidity, to which the rate is proportional, 0 to 1 [-]."))
         ((Real, largestShare, 0.05, Attr::triggerPostLoad, "Largest share of its first diameter that a bond loses by stress corrosion before the specimen is brought to rest again [-]."))
-        ((Real, wetAt, -1, , "Reading of the clock at which the specimen is wetted in a hold [s], or at the beginning of a hold that begins later; negative: never, and so after it has been done. See :yref:`BondAgeing.wet`."))
+        ((Real, wetAt, -1, , "Reading of the clock at which the specimen is wetted [s], in a hold or while the clock follows the stress; negative: never, and so after it has been done. See :yref:`BondAgeing.wet`."))
         ((Real, wetFactor, 1, Attr::triggerPostLoad, "Factor on the strengths of all bonds then, more than 0 and at most 1 [-]."))
         ((Real, stressRate, 0, Attr::triggerPostLoad, "Rate of the axial stress in the laboratory while the specimen is loaded or unloaded, positive for both [Pa/s]; 0: the clock stands meanwhile. Needs :yref:`BondAgeing.servo`."))
         ((std::vector<Real>, scheduleStress, , , "Instead of a rate: axial stresses of the stage in the order in which they are passed, rising or falling [Pa]."))
@@ -55,7 +55,11 @@ public:
         ((std::vector<Real>, brokenAtClock, , Attr::readonly, "Clock at each breakage in the lists of the ledger, delayed or not [s]."))
         ((std::vector<Real>, recordClock, , Attr::readonly, "Clock at each record [s]. Records are of the specimen at rest: when a hold begins, at logarithmic times in it, after each failure, at its end; and of each failure while the clock follows the stress."))
         ((std::vector<Real>, recordHeight, , Attr::readonly, "Height of the specimen [m]; 0 without a servo."))
-        ((std::vector<Real>, recordStress, , Attr::readonly, "Axial stress [Pa]; 0 without a servo."))
+        ((std::vector<int>, recordStage, , Attr::readonly, "Stage of the servo; -1 without one."))
+        ((std::vector<Real>, recordStress, , Attr::readonly, "Axial stress [Pa]; 0 without a servo, as the following."))
+        ((std::vector<Real>, recordTop, , Attr::readonly, "Stress on the top platen [Pa]."))
+        ((std::vector<Real>, recordBottom, , Attr::readonly, "Stress on the bottom platen [Pa]."))
+        ((std::vector<Real>, recordSide, , Attr::readonly, "Mean normal stress on the side walls [Pa]."))
         ((std::vector<int>, recordFailures, , Attr::readonly, "Delayed failures so far."))
         ((std::vector<int>, recordBreaks, , Attr::readonly, "Broken bonds in the ledger so far."))
         ((Real, holdBegin, 0, Attr::hidden, "Clock at the beginning of the hold [s]."))
@@ -105,6 +109,7 @@ private:
     void followStress();
     Real readingAt(Real stress) const;
     void ageByDue();
+    void wetWhenDue();
 };
 REGISTER_SERIALIZABLE(BondAgeing);
 

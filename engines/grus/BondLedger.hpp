@@ -36,7 +36,7 @@ public:
         ((int, tensionBreaks, 0, Attr::readonly, "Number of bonds broken in tension."))
         ((int, shearBreaks, 0, Attr::readonly, "Number of bonds broken in shear."))
         ((Real, releasedEnergy, 0, Attr::readonly, "Elastic energy released by all broken bonds, and by cement that has corroded (:yref:`BondAgeing`) [J]."))
-        ((Real, slidingWork, 0, Attr::readonly, "Work dissipated by friction in contacts [J]."))
+        ((Real, slidingWork, 0, Attr::readonly, "Work dissipated in contacts [J]: by sliding, and where contacts have them by rolling resistance and yielding asperities."))
         , makeSlots();
         , .add_property("breaks", &BondLedger::breaks, "Number of broken bonds.")
     );

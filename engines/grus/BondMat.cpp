@@ -14,6 +14,7 @@ template <class Kind> using Names = std::map<std::string, Kind>;
 
 const Names<BondMat::BondKind> bondNames{
     {"none", BondMat::None}, {"contact", BondMat::ContactBond}, {"parallel", BondMat::ParallelBond}};
+const Names<bool> contactNames{{"linear", false}, {"hertz", true}};
 const Names<grus::physics::StiffnessKind> stiffnessNames{{"total", grus::physics::StiffnessKind::Total},
                                                          {"area", grus::physics::StiffnessKind::PerArea},
                                                          {"modulus", grus::physics::StiffnessKind::Modulus}};
@@ -34,6 +35,17 @@ void BondMat::postLoad(BondMat&) {
     requireName("bond", bond, bondNames);
     requireName("bondStiffness", bondStiffness, stiffnessNames);
     requireName("scatter", scatter, scatterNames);
+    requireName("contactLaw", contactLaw, contactNames);
+    require(unloadingRatio >= 1 && std::isfinite(unloadingRatio), "BondMat.unloadingRatio", unloadingRatio,
+            "1 or more");
+    require(rollingStiffness >= 0, "BondMat.rollingStiffness", rollingStiffness, "0 or more");
+    require(rollingFriction >= 0, "BondMat.rollingFriction", rollingFriction, "0 or more");
+    require(!hertz() || unloadingRatio == 1, "BondMat.unloadingRatio", unloadingRatio, "1 with contactLaw 'hertz'");
+    require(bond != "contact" || !(hertz() || unloadingRatio > 1), "BondMat.bond", "'contact'",
+            "'none' or 'parallel' with contactLaw 'hertz' or an unloadingRatio above 1");
+    require(!hertz() || (young > 0 && poisson > -1 && poisson <= 0.5), "BondMat.young, poisson",
+            std::to_string(young) + ", " + std::to_string(poisson),
+            "young more than 0 and poisson above -1, at most 0.5, with contactLaw 'hertz'; set them first");
     require(!std::isnan(kn), "BondMat.kn", kn, "a number");
     require(!std::isnan(ks), "BondMat.ks", ks, "a number");
     const bool scattered = scatterKind() != grus::physics::Scatter::None;

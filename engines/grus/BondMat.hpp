@@ -22,12 +22,19 @@ public:
     BondKind bondKind() const;
     grus::physics::StiffnessKind stiffnessKind() const;
     grus::physics::Scatter scatterKind() const;
+    bool hertz() const { return contactLaw == "hertz"; }
+    /// Whether contacts of this material are more than linear springs with friction.
+    bool hasContactOptions() const { return hertz() || unloadingRatio > 1 || rollingStiffness > 0; }
 
     // clang-format off
     YADE_CLASS_BASE_DOC_ATTRS_CTOR(BondMat, FrictMat,
         "Material of elements that can be bonded into crushable grains. Only two elements of one material object and of one grain (:yref:`BondState.grain`) are ever bonded.",
         ((Real, kn, -1, Attr::triggerPostLoad, "Normal contact stiffness of one element [N/m]; a contact has the two in series. Negative: 2 E R as in YADE's frictional materials, with E = :yref:`young<ElastMat.young>`."))
         ((Real, ks, -1, Attr::triggerPostLoad, "Shear contact stiffness of one element [N/m]; a contact has the two in series. Negative: :yref:`poisson<ElastMat.poisson>` times the normal stiffness."))
+        ((std::string, contactLaw, "linear", Attr::triggerPostLoad, "Stiffness of contacts: 'linear', or 'hertz' (Hertz-Mindlin) from :yref:`young<ElastMat.young>` and :yref:`poisson<ElastMat.poisson>`, which then are those of the solid, instead of :yref:`BondMat.kn` and :yref:`BondMat.ks`. A linear partner of a Hertz element counts as rigid."))
+        ((Real, unloadingRatio, 1, Attr::triggerPostLoad, "Normal stiffness of a contact that is unloaded or reloaded over that of first loading (Walton & Braun 1986), 1 or more [-]; 1: elastic. A contact takes the larger of both materials. Linear contacts only."))
+        ((Real, rollingStiffness, 0, Attr::triggerPostLoad, "Rolling stiffness alpha [-]: a contact without a bond resists rolling with alpha R1 R2 times its shear stiffness [N m/rad]; alpha is the harmonic mean of both materials. 0: none. As alphaKr of :yref:`CohFrictMat`."))
+        ((Real, rollingFriction, 0, Attr::triggerPostLoad, "Rolling friction eta [-]: the moment that resists rolling is at most eta R times the normal force, with the smaller eta R of both bodies. As etaRoll of :yref:`CohFrictMat`, which knows no limit for negative ones."))
         ((std::string, bond, "none", Attr::triggerPostLoad, "Kind of bond: 'none', 'contact' or 'parallel'."))
         ((std::string, bondStiffness, "total", Attr::triggerPostLoad, "How :yref:`BondMat.bondKn` and :yref:`BondMat.bondKs` are given: 'total' of the section [N/m], 'area' per area [Pa/m], or 'modulus' [Pa], which is E/(RA+RB) per area. Parallel bonds only."))
         ((Real, bondKn, 0, Attr::triggerPostLoad, "Normal stiffness of a parallel bond, in the unit that :yref:`BondMat.bondStiffness` says."))

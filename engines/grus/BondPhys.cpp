@@ -1,5 +1,7 @@
 #include <grus/BondPhys.hpp>
 
+#include <algorithm>
+
 #include <grus/BondMat.hpp>
 
 namespace yade {
@@ -12,6 +14,16 @@ grus::physics::BondStress BondPhys::stress() const {
     if (bondKind == BondMat::ContactBond)
         return {-contactNormal, contactShear.norm(), contactNormal};
     return grus::physics::rimStress(load(), section(), bondRadius, momentContribution);
+}
+
+grus::physics::ContactTangents BondPhys::tangents(Real overlap) const {
+    return grus::physics::contactTangents(constants(), std::max(lastOverlap, overlap));
+}
+
+void BondPhys::follow() {
+    const auto now = tangents();
+    kn = now.normal;
+    ks = now.shear;
 }
 
 Real BondPhys::tension() const { return stress().tension; }

@@ -26,12 +26,17 @@ const Body& carrier(int id, Scene* scene) {
 
 bool canMove(const Body& body) { return body.state->blockedDOFs != State::DOF_ALL && body.state->mass > 0; }
 
-physics::ContactSprings springs(const BondPhys& phys) {
-    physics::ContactSprings k{phys.kn, phys.ks, 0, 0};
+/// Overlap over the smaller radius with which a Hertz contact counts at least: it gets stiffer as it is pressed
+/// together, and nothing says before the next look.
+constexpr Real leastOverlap = 1e-3;
+
+physics::ContactSprings springs(const BondPhys& phys, Real radius) {
+    const auto contact = phys.tangents(leastOverlap * radius);
+    physics::ContactSprings k{contact.normal, contact.shear, phys.rollingStiffness * contact.shear, 0};
     if (!phys.bonded || phys.bondKind != BondMat::ParallelBond)
         return k;
     const auto bond = phys.stiffness();
-    return {k.normal + bond.normal, k.shear + bond.shear, bond.bending, bond.twist};
+    return {k.normal + bond.normal, k.shear + bond.shear, k.bending + bond.bending, bond.twist};
 }
 
 }
@@ -48,8 +53,9 @@ Real BondTimeStepper::criticalStep(Scene* ncb) const {
         for (const auto& [body, other] : {std::pair{&one, &two}, std::pair{&two, &one}}) {
             if (!canMove(*body))
                 continue;
-            physics::addSprings(stiffness[body->id], springs(*phys), geom->contactPoint - body->state->pos,
-                                geom->normal, canMove(*other) ? 2 : 1);
+            const auto k = springs(*phys, std::min(geom->radius1, geom->radius2));
+            physics::addSprings(stiffness[body->id], k, geom->contactPoint - body->state->pos, geom->normal,
+                                canMove(*other) ? 2 : 1);
         }
     }
     Real smallest = std::numeric_limits<Real>::infinity();

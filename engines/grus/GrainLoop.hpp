@@ -47,6 +47,7 @@ private:
     void gatherBodies();
     void gatherBody(int number, const Body&);
     void gatherPairs();
+    bool anyContactOptions() const;
     int elementKind(const Body&, Real radius);
     int contactKind(int one, int two);
     int kindOf(const BondPhys&, int plain);

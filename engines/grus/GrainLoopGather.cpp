@@ -258,6 +258,7 @@ void GrainLoop::gatherPairs() {
     }
     std::sort(order.begin(), order.end());
     std::sort(onWalls.begin(), onWalls.end());
+    pairs.options = anyContactOptions();
     pairs.resize(order.size());
     for (std::size_t k = 0; k < order.size(); ++k) {
         const int link = order[k].second;
@@ -273,6 +274,11 @@ void GrainLoop::gatherPairs() {
         pairs.bending.set(k, phys.bondBending);
         pairs.twist[k] = phys.bondTwist;
         pairs.overlap0[k] = phys.overlap0;
+        if (pairs.options) {
+            pairs.rolling.set(k, phys.rollingMoment);
+            pairs.lastOverlap[k] = phys.lastOverlap;
+            pairs.largest[k] = phys.largestOverlap;
+        }
         if (phys.bonded) {
             pairs.tensile[k] = phys.tensileStrength;
             pairs.shear[k] = phys.shearStrength;
@@ -286,6 +292,15 @@ void GrainLoop::gatherPairs() {
                         assembly.elements.kind[place.second]);
         assembly.wallContacts.push_back({place.first, place.second, kindOf(phys, plain), phys.state(), link, true});
     }
+}
+
+/// Whether a contact of two elements has options or will have.
+bool GrainLoop::anyContactOptions() const {
+    return std::any_of(elementKinds.begin(), elementKinds.end(),
+                       [](const ElementKind& kind) { return kind.first->hasContactOptions(); }) ||
+           std::any_of(known.begin(), known.end(), [](const auto& interaction) {
+               return static_cast<const BondPhys&>(*interaction->phys).constants().options.any();
+           });
 }
 
 int GrainLoop::elementKind(const Body& body, Real radius) {
@@ -310,13 +325,15 @@ int GrainLoop::contactKind(int one, int two) {
 /// Kind of a pair with this physics; `plain` is that of a new contact of the two.
 int GrainLoop::kindOf(const BondPhys& phys, int plain) {
     grainloop::PairKind kind{phys.constants()};
+    const auto& c = kind.constants;
+    const grainloop::PairKind unbonded{{physics::BondKind::None, c.kn, c.ks, c.tanPhi, {}, {}, 0, 1, c.options}};
     const bool remembers = phys.bondKind != BondMat::None || phys.overlap0 != 0;
     if (!phys.bonded) {
-        kind.constants = {physics::BondKind::None, phys.kn, phys.ks, phys.tangensOfFrictionAngle, {}, {}, 0, 1};
+        kind = unbonded;
         kind.forgotten = remembers ? plain : -1;
         return kindNumber(kind);
     }
-    grainloop::PairKind broken{{physics::BondKind::None, phys.kn, phys.ks, phys.tangensOfFrictionAngle, {}, {}, 0, 1}};
+    grainloop::PairKind broken = unbonded;
     broken.forgotten = plain;
     kind.bondTanPhi = phys.bondTanPhi;
     kind.broken = kindNumber(broken);
@@ -325,10 +342,13 @@ int GrainLoop::kindOf(const BondPhys& phys, int plain) {
 
 int GrainLoop::kindNumber(const grainloop::PairKind& kind) {
     const auto& c = kind.constants;
-    const std::vector<Real> key{Real(c.kind),        c.kn,           c.ks,         c.tanPhi,        c.bond.normal,
-                                c.bond.shear,        c.bond.bending, c.bond.twist, c.section.area,  c.section.inertia,
-                                c.section.polar,     c.bondRadius,   c.beta,       kind.bondTanPhi, Real(kind.broken),
-                                Real(kind.forgotten)};
+    const auto& o = c.options;
+    const std::vector<Real> key{
+        Real(c.kind),         c.kn,           c.ks,          c.tanPhi,         c.bond.normal,
+        c.bond.shear,         c.bond.bending, c.bond.twist,  c.section.area,   c.section.inertia,
+        c.section.polar,      c.bondRadius,   c.beta,        kind.bondTanPhi,  Real(kind.broken),
+        Real(kind.forgotten), o.hertz.normal, o.hertz.shear, o.unloadingRatio, o.rolling.stiffness,
+        o.rolling.arm};
     const auto [found, isNew] = kindNumbers.try_emplace(key, static_cast<int>(assembly.kinds.size()));
     if (isNew)
         assembly.kinds.push_back(kind);

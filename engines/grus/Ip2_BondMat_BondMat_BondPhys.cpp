@@ -1,5 +1,7 @@
 #include <grus/Ip2_BondMat_BondMat_BondPhys.hpp>
 
+#include <limits>
+
 #include <core/Body.hpp>
 #include <core/Scene.hpp>
 #include <pkg/dem/ScGeom.hpp>
@@ -17,6 +19,26 @@ namespace physics = grus::physics;
 Real normalStiffness(const BondMat& m, Real radius) { return m.kn >= 0 ? m.kn : 2 * m.young * radius; }
 
 Real shearStiffness(const BondMat& m, Real radius) { return m.ks >= 0 ? m.ks : m.poisson * normalStiffness(m, radius); }
+
+/// The body of a Hertz contact; a linear material counts as rigid.
+physics::ElasticSphere elasticSphere(const BondMat& m, Real radius) {
+    return {m.hertz() ? m.young : std::numeric_limits<Real>::infinity(), m.hertz() ? m.poisson : 0, radius};
+}
+
+void setOptions(BondPhys& phys, const BondMat& a, Real radiusA, const BondMat& b, Real radiusB) {
+    const auto rolling = physics::rollingResistance({a.rollingStiffness, a.rollingFriction, radiusA},
+                                                    {b.rollingStiffness, b.rollingFriction, radiusB});
+    phys.rollingStiffness = rolling.stiffness;
+    phys.rollingArm = rolling.arm;
+    if (!a.hertz() && !b.hertz()) {
+        phys.unloadingRatio = std::max(a.unloadingRatio, b.unloadingRatio);
+        return;
+    }
+    const auto hertz = physics::hertzStiffness(elasticSphere(a, radiusA), elasticSphere(b, radiusB));
+    phys.hertzNormal = hertz.normal;
+    phys.hertzShear = hertz.shear;
+    phys.kn = phys.ks = 0; // of a contact that has just formed
+}
 
 const BondState* grainState(int id, Scene* scene) {
     return dynamic_cast<const BondState*>(Body::byId(id, scene)->state.get());
@@ -49,6 +71,8 @@ boost::shared_ptr<BondPhys> Ip2_BondMat_BondMat_BondPhys::contact(const BondMat&
     phys->kn = physics::inSeries(normalStiffness(a, radiusA), normalStiffness(b, radiusB));
     phys->ks = physics::inSeries(shearStiffness(a, radiusA), shearStiffness(b, radiusB));
     phys->tangensOfFrictionAngle = std::tan(std::min(a.frictionAngle, b.frictionAngle));
+    if (a.hasContactOptions() || b.hasContactOptions())
+        setOptions(*phys, a, radiusA, b, radiusB);
     return phys;
 }
 

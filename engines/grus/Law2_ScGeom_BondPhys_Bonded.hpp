@@ -17,7 +17,7 @@ public:
 
     // clang-format off
     YADE_CLASS_BASE_DOC_ATTRS(Law2_ScGeom_BondPhys_Bonded, LawFunctor,
-        "Linear frictional contact with an optional contact bond or parallel bond (Potyondy & Cundall 2004). A broken bond leaves an ordinary contact. Works with :yref:`ScGeom` and :yref:`ScGeom6D`, with spheres, clumps, walls, boxes and facets.",
+        "Frictional contact, linear unless :yref:`BondMat` asks for more (Hertz-Mindlin stiffness, yielding asperities, rolling resistance), with an optional contact bond or parallel bond (Potyondy & Cundall 2004). A broken bond leaves an ordinary contact. Works with :yref:`ScGeom` and :yref:`ScGeom6D`, with spheres, clumps, walls, boxes and facets.",
         ((boost::shared_ptr<BondLedger>, ledger, , , "Where breakages, released energy and sliding work are booked; None: nowhere."))
     );
     // clang-format on

@@ -34,6 +34,7 @@ int wallAxis(const Body& body) {
 void OedometerServo::postLoad(OedometerServo&) {
     const std::string of = std::string(name) + ".";
     require(axis >= 0 && axis <= 2, of + "axis", axis, "0, 1, 2");
+    require(moving == "both" || moving == "top", of + "moving", "'" + moving + "'", "'both', 'top'");
     require(area >= 0, of + "area", area, "0 or more");
     require(sideBreadth >= 0, of + "sideBreadth", sideBreadth, "0 or more");
     require(solidVolume >= 0, of + "solidVolume", solidVolume, "0 or more");
@@ -50,11 +51,13 @@ void OedometerServo::postLoad(OedometerServo&) {
     require(recordStress > 0, of + "recordStress", recordStress, "more than 0");
 }
 
-void OedometerServo::begin(Real stress) {
+void OedometerServo::begin(Real stress, bool settled) {
     require(stress > 0, std::string(name) + ".begin(target)", stress, "more than 0 Pa");
     target = stress;
     ++stage;
     awaitRest(0);
+    if (settled)
+        stageBreaks = -1; // as if a bond had broken
 }
 
 void OedometerServo::resume(int expectedBreaks) {
@@ -123,9 +126,8 @@ void OedometerServo::look() {
         throw std::runtime_error("OedometerServo: the motion of a grain is not a number");
     const Real axial = axialStress();
     inertial = inertialNumber(rate, grainDiameter, grainDensity, axial);
-    const Calm calm{
-        {inertial, elastic > 0 ? kinetic / elastic : 0, axial > 0 ? std::abs(topStress - bottomStress) / axial : 0},
-        breaks() - lookBreaks};
+    const Real gradient = axial > 0 && !baseFixed() ? std::abs(topStress - bottomStress) / axial : 0;
+    const Calm calm{{inertial, elastic > 0 ? kinetic / elastic : 0, gradient}, breaks() - lookBreaks};
     speedLimit = nextSpeedLimit(speedLimit, maxSpeed, std::max(fastSpeed, maxSpeed), speedGrowth, calm,
                                 {inertialLimit, kineticLimit, gradientLimit});
     lookBreaks = breaks();
@@ -134,7 +136,8 @@ void OedometerServo::look() {
 }
 
 bool OedometerServo::atTarget() const {
-    return std::abs(topStress - target) <= tolerance * target && std::abs(bottomStress - target) <= tolerance * target;
+    const auto there = [this](Real stress) { return std::abs(stress - target) <= tolerance * target; };
+    return there(topStress) && (baseFixed() || there(bottomStress));
 }
 
 void OedometerServo::watchRest() {
@@ -156,20 +159,20 @@ Real OedometerServo::speedOf(int id, Real stress) const {
 }
 
 void OedometerServo::drive() {
-    platen(bottom, *scene, name).vel[axis] = done ? 0 : speedOf(bottom, bottomStress);
+    platen(bottom, *scene, name).vel[axis] = done || baseFixed() ? 0 : speedOf(bottom, bottomStress);
     platen(top, *scene, name).vel[axis] = done ? 0 : -speedOf(top, topStress);
 }
 
 Real OedometerServo::firstStress() const {
     const auto found = std::find(recordStage.begin(), recordStage.end(), stage);
     const auto i = found - recordStage.begin();
-    return found == recordStage.end() ? axialStress() : 0.5 * (recordTop[i] + recordBottom[i]);
+    return found == recordStage.end() ? axialStress() : controlled(recordTop[i], recordBottom[i]);
 }
 
 bool OedometerServo::recordDue() const {
     if (recordHeight.empty() || recordStage.back() != stage)
         return true;
-    const Real before = 0.5 * (recordTop.back() + recordBottom.back());
+    const Real before = controlled(recordTop.back(), recordBottom.back());
     return std::abs(recordHeight.back() - height) >= recordStrain * initialHeight ||
            std::abs(axialStress() - before) >= recordStress * std::max(before, 0.01 * target);
 }

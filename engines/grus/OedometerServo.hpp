@@ -19,7 +19,7 @@ public:
 
     // clang-format off
     YADE_CLASS_BASE_DOC_ATTRS_CTOR_PY(OedometerServo, GlobalEngine,
-        "Moves the top and the bottom platen of an oedometer so that the stress on each goes to :yref:`OedometerServo.target`, and tells when the specimen is at rest there. Put it between :yref:`InteractionLoop` (and the ledger) and :yref:`NewtonIntegrator`. Compression is positive; strains and heights count from the first step.",
+        "Moves the platens of an oedometer so that the stress on each that moves goes to :yref:`OedometerServo.target`, and tells when the specimen is at rest there. Put it between :yref:`InteractionLoop` (and the ledger) and :yref:`NewtonIntegrator`. Compression is positive; strains and heights count from the first step.",
         ((int, bottom, -1, , "Id of the bottom platen, a fixed :yref:`Wall`."))
         ((int, top, -1, , "Id of the top platen, a fixed :yref:`Wall`."))
         ((std::vector<int>, sides, , , "Ids of the side walls."))
@@ -27,8 +27,9 @@ public:
         ((Real, area, 0, Attr::triggerPostLoad, "Area of a platen inside the box [m2]; in the plane width times thickness."))
         ((Real, sideBreadth, 0, Attr::triggerPostLoad, "Breadth of the side walls [m]: their area is the mean breadth times the height; in the plane the thickness."))
         ((Real, solidVolume, 0, Attr::triggerPostLoad, "Volume of the solids [m3], by which void ratios are told."))
+        ((std::string, moving, "both", Attr::triggerPostLoad, "Which platens move: 'both', or 'top' over a base that is fixed as the ring is; then the stress on the base is what friction on the sides leaves of it."))
         ((Real, target, 0, , "Axial stress to go to [Pa]."))
-        ((Real, tolerance, 0.01, Attr::triggerPostLoad, "The stresses on both platens must stay this close to the target, as a share of it [-]."))
+        ((Real, tolerance, 0.01, Attr::triggerPostLoad, "The stress on each platen that moves must stay this close to the target, as a share of it [-]."))
         ((Real, unbalancedLimit, 1e-3, Attr::triggerPostLoad, "Largest unbalanced force over mean contact force of a specimen at rest [-]."))
         ((int, quietSteps, 1000, Attr::triggerPostLoad, "Steps in a row at the target and at rest, without a bond breaking, after which a stage has ended."))
         ((int, quietStretches, 3, Attr::triggerPostLoad, "How many such stretches are waited for when a bond has broken in the stage; one is enough when none has."))
@@ -37,7 +38,7 @@ public:
         ((Real, speedGrowth, 1.1, Attr::triggerPostLoad, "Factor by which the speed limit grows at each look towards :yref:`OedometerServo.fastSpeed` [-]."))
         ((Real, inertialLimit, 1e-3, , "Largest inertial number of a quasi-static test [-]."))
         ((Real, kineticLimit, 1e-3, , "Largest kinetic over elastic energy of a quasi-static test [-]."))
-        ((Real, gradientLimit, 0.02, , "Largest difference of the platens' stresses over their mean in a quasi-static test [-]."))
+        ((Real, gradientLimit, 0.02, , "Largest difference of the platens' stresses over their mean in a quasi-static test [-]; not asked for when only the top moves, since friction on the sides makes a difference, too."))
         ((Real, relaxation, 0.05, Attr::triggerPostLoad, "Share of the stress error that is removed in a step against the contact stiffness of the platen, more than 0 and at most 1 [-]."))
         ((int, lookInterval, 100, Attr::triggerPostLoad, "Steps between two looks at unbalanced force, energies and the speed limit."))
         ((Real, recordStrain, 1e-4, Attr::triggerPostLoad, "A record is taken each time the strain has changed by this [-]."))
@@ -84,7 +85,7 @@ public:
         ((Vector2r, lastPosition, Vector2r::Zero(), Attr::hidden, "Platen positions of the last step, bottom and top [m]."))
         ((Vector2r, lastForce, Vector2r::Zero(), Attr::hidden, "Forces on the platens in the last step along the axis, bottom and top [N]."))
         ,
-        , .def("begin", &OedometerServo::begin, (boost::python::arg("target")), "Begins the next stage, which goes to the axial stress `target` [Pa].")
+        , .def("begin", &OedometerServo::begin, (boost::python::arg("target"), boost::python::arg("settled") = false), "Begins the next stage, which goes to the axial stress `target` [Pa]. `settled`: all :yref:`quiet stretches<OedometerServo.quietStretches>` are waited for even when no bond breaks, as before a hold.")
         .def("resume", &OedometerServo::resume, (boost::python::arg("breaks") = 0), "Goes on with a stage that has ended, as :yref:`BondAgeing` does, until the specimen is at rest again; the run is not stopped. `breaks` bonds are known to break at once: when no other does, one quiet stretch is enough.")
         .add_property("strain", &OedometerServo::strain, "Axial strain since the first step, compression positive [-].")
         .add_property("voidRatio", &OedometerServo::voidRatio, "Void ratio [-].")
@@ -92,16 +93,22 @@ public:
     );
     // clang-format on
 
-    void begin(Real stress);
+    void begin(Real stress, bool settled);
     void resume(int expectedBreaks);
     Real strain() const { return initialHeight > 0 ? 1 - height / initialHeight : 0; }
     Real voidRatio() const { return area * height / solidVolume - 1; }
-    Real axialStress() const { return 0.5 * (topStress + bottomStress); }
+    /// Stress that goes to the target [Pa]: the mean of both platens, or that on the top when only it moves.
+    Real axialStress() const { return controlled(topStress, bottomStress); }
     /// Axial stress at the first step of the stage [Pa].
     Real firstStress() const;
-    Real lateralRatio() const { return axialStress() > 0 ? sideStress / axialStress() : 0; }
+    Real lateralRatio() const {
+        const Real mean = 0.5 * (topStress + bottomStress);
+        return mean > 0 ? sideStress / mean : 0;
+    }
 
 private:
+    bool baseFixed() const { return moving == "top"; }
+    Real controlled(Real onTop, Real onBottom) const { return baseFixed() ? onTop : 0.5 * (onTop + onBottom); }
     void measure();
     void look();
     void drive();

@@ -5,6 +5,7 @@
 #include <core/Body.hpp>
 #include <pkg/common/NormShearPhys.hpp>
 
+#include <grus/BondPhys.hpp>
 #include <grus/LiveScene.hpp>
 
 namespace yade {
@@ -22,7 +23,9 @@ Real contactStiffness(int id, Scene& scene) {
         return live->contactStiffness(id);
     Real sum = 0;
     for (const auto& [other, interaction] : Body::byId(id, &scene)->intrs)
-        if (const auto* phys = dynamic_cast<const NormPhys*>(interaction->phys.get()))
+        if (const auto* own = dynamic_cast<const BondPhys*>(interaction->phys.get()))
+            sum += own->tangents().normal;
+        else if (const auto* phys = dynamic_cast<const NormPhys*>(interaction->phys.get()))
             sum += phys->kn;
     return sum;
 }

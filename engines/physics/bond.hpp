@@ -103,8 +103,9 @@ inline bool mayFail(const BondLoad& load, const RimFactors& f, const BondStrengt
     const double mean = load.normal * f.force;
     const double bending = strength.tensile + mean; // stress that bending has still free
     const double shear = shearStrength(strength, mean) - f.twist * std::abs(load.twist);
-    return (f.bending * f.bending * load.bending.squaredNorm() * margin >= bending * std::abs(bending)) |
-           (f.force * f.force * load.shear.squaredNorm() * margin >= shear * std::abs(shear));
+    const bool torn = f.bending * f.bending * load.bending.squaredNorm() * margin >= bending * std::abs(bending);
+    const bool sheared = f.force * f.force * load.shear.squaredNorm() * margin >= shear * std::abs(shear);
+    return torn || sheared;
 }
 
 /// Elastic energy [J] stored in a parallel bond.

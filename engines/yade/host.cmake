@@ -1,16 +1,11 @@
 # Target yade_interface: what a source needs that includes YADE's headers. All that differs between supported YADEs is
-# chosen here, by version and architecture.
+# chosen here, by version and architecture; include/sdk/host_differences.hpp holds what differs in declarations.
 
 set(GRUS_YADE_SOURCE "" CACHE PATH "YADE source tree whose headers replace engines/yade/include")
-set(GRUS_YADE_VERSION "2023.02a" CACHE STRING "Version of YADE to build for; has a table in engines/yade/layout")
-set(GRUS_YADE_LAYOUT ${CMAKE_CURRENT_LIST_DIR}/layout/${GRUS_YADE_VERSION}-amd64.json)
-if(NOT EXISTS ${GRUS_YADE_LAYOUT})
-  message(FATAL_ERROR "GRUS_YADE_VERSION is ${GRUS_YADE_VERSION}, which has no table ${GRUS_YADE_LAYOUT}")
-endif()
 
 find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
 set(GRUS_BOOST_PYTHON python${Python3_VERSION_MAJOR}${Python3_VERSION_MINOR})
-find_package(Boost REQUIRED COMPONENTS serialization ${GRUS_BOOST_PYTHON})
+find_package(Boost CONFIG REQUIRED COMPONENTS serialization ${GRUS_BOOST_PYTHON})
 
 add_library(yade_interface INTERFACE)
 target_compile_definitions(yade_interface INTERFACE
@@ -29,6 +24,21 @@ if(GRUS_YADE_SOURCE)
   return()
 endif()
 
+execute_process(
+  COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/pkg/grus/host/locate.py
+  OUTPUT_VARIABLE version ERROR_VARIABLE complaint RESULT_VARIABLE failed OUTPUT_STRIP_TRAILING_WHITESPACE)
+if(failed)
+  message(FATAL_ERROR "${complaint}")
+endif()
+set(layout ${CMAKE_CURRENT_LIST_DIR}/layout/${version}-amd64.json)
+if(NOT EXISTS ${layout})
+  message(FATAL_ERROR "YADE ${version} is installed, which is not supported: ${layout} is missing")
+endif()
+message(STATUS "Grus is built for YADE ${version}")
+# As a number that headers can compare: 202302 of 2023.02a, 202502 of 2025.2.0.
+string(REGEX MATCH "^([0-9]+)\\.0?([0-9])" number ${version})
+target_compile_definitions(yade_interface INTERFACE YADE_HOST=${CMAKE_MATCH_1}0${CMAKE_MATCH_2})
+
 # The layout table as C++: assertions on the headers, and what the load guard compares.
 set(GRUS_GENERATED ${CMAKE_CURRENT_BINARY_DIR}/yade)
 file(MAKE_DIRECTORY ${GRUS_GENERATED})
@@ -36,8 +46,8 @@ foreach(part asserts probes)
   set(script ${CMAKE_CURRENT_LIST_DIR}/generate_${part}.py)
   add_custom_command(
     OUTPUT ${GRUS_GENERATED}/layout_${part}.hpp
-    COMMAND ${Python3_EXECUTABLE} ${script} ${GRUS_YADE_LAYOUT} > ${GRUS_GENERATED}/layout_${part}.hpp
-    DEPENDS ${script} ${GRUS_YADE_LAYOUT} VERBATIM)
+    COMMAND ${Python3_EXECUTABLE} ${script} ${layout} > ${GRUS_GENERATED}/layout_${part}.hpp
+    DEPENDS ${script} ${layout} VERBATIM)
 endforeach()
 target_include_directories(yade_interface INTERFACE ${CMAKE_CURRENT_LIST_DIR}/include ${GRUS_GENERATED})
 set(GRUS_HOST_SOURCES

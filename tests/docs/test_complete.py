@@ -7,9 +7,10 @@ from pages import DOCS, titles
 
 import grus
 from grus.host.load import load
+from grus.mechanisms import MECHANISMS
 
 CLOSING = ["Restrictions", "Defaults", "What is saved", "Related"]
-FOLDERS = ("theory", "classes", "card", "commands")
+FOLDERS = ("theory", "classes", "card", "commands", "mechanisms")
 CLOSED = [
     path
     for folder in FOLDERS
@@ -36,6 +37,10 @@ def test_every_table_of_the_card_has_its_page():
     assert names("card") == expected
 
 
+def test_every_mechanism_has_its_page():
+    assert names("mechanisms") == set(MECHANISMS)
+
+
 @pytest.mark.parametrize("page", CLOSED, ids=lambda path: f"{path.parent.name}/{path.stem}")
 def test_pages_end_with_the_four_sections(page):
     assert titles(page, 2)[-4:] == CLOSING
@@ -47,6 +52,7 @@ def test_pages_end_with_the_four_sections(page):
         ("classes", "attributes", load()),
         ("commands", "options", commands()),
         ("card", "keys", [name for name in sections() if name != TOP]),
+        ("mechanisms", "mechanism", list(MECHANISMS)),
     ],
 )
 def test_every_page_shows_its_table(folder, directive, names):
@@ -54,7 +60,7 @@ def test_every_page_shows_its_table(folder, directive, names):
         page = (
             DOCS
             / folder
-            / f"{name if folder == 'classes' else name.replace('.', '-').replace('_', '-')}.md"
+            / f"{name.replace('.', '-').replace('_', '-') if folder == 'card' else name}.md"
         )
         assert f"```{{{directive}}} {name}\n" in page.read_text("utf-8"), page
 

@@ -215,7 +215,7 @@ def test_goes_on_bit_by_bit_after_loading_in_a_hold(tmp_path, law, suffix):
 @pytest.mark.parametrize(
     "key, value, allowed",
     [
-        ("law", "fast", "'corrosion', 'power'"),
+        ("law", "fast", "'corrosion', 'none', 'power'"),
         ("drivenBy", "shear", "'larger', 'tension'"),
         ("exponent", -1.0, "0 or more"),
         ("humidity", 1.1, "0 to 1"),

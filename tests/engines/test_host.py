@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from grus.host import locate
+from grus.host.load import SUPPORTED
 
 ROOT = Path(__file__).parents[2]
 
@@ -89,6 +90,12 @@ def test_double_build_comes_first(tmp_path, names):
         assert locate.yade_folder() == libraries / best / "py"
 
 
+def test_the_installed_version_is_that_of_the_running_yade():
+    import yade
+
+    assert locate.installed_version() == yade.config.version
+
+
 def test_missing_module_is_one_line(tmp_path):
     unbuilt = shutil.ignore_patterns("*.so", "__pycache__")
     shutil.copytree(ROOT / "pkg" / "grus", tmp_path / "grus", ignore=unbuilt)
@@ -97,6 +104,31 @@ def test_missing_module_is_one_line(tmp_path):
         done.stderr.splitlines()[-1]
         == "ImportError: grus is not built: its module _engines is missing (run cmake)"
     )
+
+
+def test_engines_of_another_host_are_refused_in_one_line(tmp_path):
+    """As the loader meets them: linked against a Boost that is not here."""
+    shutil.copytree(ROOT / "pkg" / "grus", tmp_path / "grus", ignore=shutil.ignore_patterns("*.so"))
+    boost, empty = tmp_path / "libboost_python399.so.1.99.0", ["g++", "-shared", "-x", "c++"]
+    subprocess.run([*empty, "/dev/null", f"-Wl,-soname,{boost.name}", "-o", boost], check=True)
+    module = ["-Wl,--no-as-needed", "-x", "none", boost, "-o", tmp_path / "grus" / "_engines.so"]
+    subprocess.run([*empty, "/dev/null", *module], check=True)
+    boost.unlink()
+    done = python(
+        """
+try:
+    import grus
+except ImportError as refusal:
+    print(refusal)
+import yade
+yade.O.step()
+print(yade.O.iter)
+""",
+        PYTHONPATH=str(tmp_path),
+    )
+    refusal, steps = done.stdout.splitlines()
+    assert refusal.startswith(f"grus cannot use YADE {locate.installed_version()}: {boost.name}")
+    assert refusal.endswith(f"; supported: {SUPPORTED}") and steps == "1", done.stderr
 
 
 @pytest.mark.parametrize("threads", [1, 2])

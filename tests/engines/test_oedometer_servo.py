@@ -119,7 +119,14 @@ def test_adaptive_speed_is_slow_while_bonds_break():
 
 
 @pytest.mark.parametrize(
-    "key, value", [("tolerance", 0.0), ("maxSpeed", 0.0), ("relaxation", 2.0), ("fastSpeed", 1e-9)]
+    "key, value",
+    [
+        ("tolerance", 0.0),
+        ("maxSpeed", 0.0),
+        ("relaxation", 2.0),
+        ("fastSpeed", 1e-9),
+        ("moving", "base"),
+    ],
 )
 def test_bad_settings_are_refused(key, value):
     with pytest.raises(ValueError, match=f"OedometerServo.{key}"):

@@ -2,7 +2,12 @@
 #include <physics/ageing.hpp>
 #include <physics/bond.hpp>
 #include <physics/contact.hpp>
+#include <physics/contactoptions.hpp>
+#include <physics/hertz.hpp>
+#include <physics/hysteresis.hpp>
+#include <physics/pairlaw.hpp>
 #include <physics/random.hpp>
+#include <physics/rolling.hpp>
 #include <physics/section.hpp>
 #include <physics/servo.hpp>
 #include <physics/stiffness.hpp>

@@ -7,7 +7,8 @@ from pathlib import Path
 import grus
 import numpy as np
 from grus.files import write_text
-from grus.oedometer.run import SEATING, program
+from grus.oedometer.program import program
+from grus.oedometer.run import SEATING
 from grus.oedometer.test import OedometerTest, ledger, record, servo
 from grus.preparation import prepare
 from yade import O
@@ -45,18 +46,18 @@ def tested(name: str, seed: int, **controller: float) -> list[dict]:
     for attribute, value in (READINGS | controller).items():
         setattr(control, attribute, value)
     rows = []
-    for number, (kind, stress) in enumerate(program(model)):
+    for number, stage in enumerate(program(model)):
         control.tolerance = SEATING if number == 0 else model.oedometer.tolerance
-        control.begin(stress)
+        control.begin(stage.stress)
         O.run(-1, True)
         rows.append(
             {
-                "stage": f"{kind} {stress / 1e3:g} kPa",
+                "stage": f"{stage.kind} {stage.stress / 1e3:g} kPa",
                 "void_ratio": control.voidRatio,
                 "broken": ledger().breaks,
                 "K0": control.K0,
             }
-            | _steps(number, stress, control.tolerance, begin)
+            | _steps(number, stage.stress, control.tolerance, begin)
         )
         begin = O.iter
     rows[0]["bonds"] = len(prepared.specimen.bonds())

@@ -23,11 +23,11 @@ from yade.wrapper import (
     Law2_ScGeom6D_CohFrictPhys_CohesionMoment,
     Law2_ScGeom_JCFpmPhys_JointedCohesiveFrictionalPM,
     Material,
-    NewtonIntegrator,
     State,
 )
 
 from grus.bench.cases import SUBSTEPS, Case
+from grus.host.differences import leapfrog, set_moment_bounds
 from grus.scene import InteractionEngines, bond, insert
 from grus.specimen import Circle, Specimen, Sphere, Stamp, agglomerate
 
@@ -66,7 +66,7 @@ def build(case: Case, loop: str) -> tuple[int, int]:
     O.dt = 0.1 * math.sqrt(2500 * RADIUS**2 * (1.0 if thickness else RADIUS) / STIFFNESS)
     if loop in ("law2", "grainloop"):
         engines = InteractionEngines()
-        O.engines = engines.list + [NewtonIntegrator(damping=0.2)]
+        O.engines = engines.list + [leapfrog(damping=0.2)]
         bonds = bond(specimen, engines)
         if loop == "grainloop":
             O.engines = [GrainLoop(damping=0.2, ledger=BondLedger(), substeps=SUBSTEPS)]
@@ -87,12 +87,14 @@ def _yades(material: Callable[[], Material], contact: type, functors: Callable, 
                 body.state = _jcfpm_state(body.state)
     bounds, geometry = Bo1_Sphere_Aabb(), contact()
     ip2, law = functors(tuned)
+    if isinstance(other, CohFrictMat):
+        set_moment_bounds(other, ip2, False)
     collider = InsertionSortCollider([bounds])
     if tuned:
         collider.verletDist = 0.05 * RADIUS
         spread = [np.ptp([b.state.pos[axis] for b in O.bodies]) for axis in range(3)]
         collider.sortAxis = int(np.argmax(spread))
-    newton = NewtonIntegrator(damping=0.2)
+    newton = leapfrog(damping=0.2)
     O.engines = [ForceResetter(), collider, InteractionLoop([geometry], [ip2], [law]), newton]
     dt, O.dt = O.dt, 0
     bounds.aabbEnlargeFactor = geometry.interactionDetectionFactor = REACH

@@ -9,6 +9,7 @@ from typing import Any, Literal
 from pydantic import PrivateAttr, ValidationError
 
 from grus.card import canonical, toml_file
+from grus.card.ageing import Ageing
 from grus.card.agglomerate import Agglomerate
 from grus.card.bond import Bond
 from grus.card.consistency import inconsistencies
@@ -28,6 +29,7 @@ from grus.card.specimen import Specimen
 from grus.card.table import Table
 from grus.card.unknown import schema, split
 from grus.card.values import Choice, Text, Whole
+from grus.card.wetting import Wetting
 
 MOST_SEED = 2**31 - 1  # of an engine's int
 
@@ -68,6 +70,12 @@ class Card(Section):
     )
     oedometer: Oedometer | None = key(
         Table(Oedometer), "Oedometer test.", default=None, default_text="none"
+    )
+    ageing: Ageing | None = key(
+        Table(Ageing), "Bonds that lose strength with time.", default=None, default_text="none"
+    )
+    wetting: Wetting | None = key(
+        Table(Wetting), "What water does to the bonds.", default=None, default_text="none"
     )
 
     _source: str = PrivateAttr("")

@@ -5,8 +5,10 @@ from math import inf, log10
 from typing import Any
 
 from grus.card.agglomerate import OUTLINES
+from grus.card.contact_consistency import contact_inconsistencies
 from grus.card.errors import Problem
 from grus.card.specimen_consistency import specimen_inconsistencies
+from grus.card.time_consistency import time_inconsistencies
 
 MOST_ELEMENTS = 1e6  # of one grain
 
@@ -20,7 +22,9 @@ def inconsistencies(card: Any) -> Iterator[Problem]:
     if card.dimension == 3 and card.thickness is not None:
         yield Problem("dimension 3 has no use for it", "leave the key out", "thickness")
     yield from _size(card.dimension, card.element.radius, card.agglomerate.diameter)
+    yield from contact_inconsistencies(card)
     yield from specimen_inconsistencies(card)
+    yield from time_inconsistencies(card)
 
 
 def _size(dimension: int, radius: float, diameter: float) -> Iterator[Problem]:

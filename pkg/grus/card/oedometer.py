@@ -49,6 +49,13 @@ class Oedometer(Section):
     inertial_limit: float = key(
         Number(POSITIVE), "Largest inertial number of a quasi-static test.", default=0.001
     )
+    platens: Literal["both", "top"] | None = key(
+        Choice(("both", "top")),
+        "Which platens move: both, or the top only, over a base that is fixed as the ring is; then the stress on the base is "
+        "what wall friction leaves of it.",
+        default=None,
+        default_text="both",
+    )
     wall_stiffness: Measure | None = key(
         Quantity({"N/m": "a total stiffness"}, POSITIVE, "3e9 N/m"),
         "Stiffness of the walls' side of a contact, normal and shear.",

@@ -11,22 +11,37 @@ from grus.card.quantity import Measure, Quantity
 MOST_STAGES = 1000
 STRESS = Quantity({"Pa": "a stress"}, POSITIVE, "100 kPa")
 DURATION = Quantity({"s": "a time"}, POSITIVE, "24 h")
-_STAGE = re.compile(r"\s*(load|unload)\s+to\s+(.*)|\s*(hold)\s+for\s+(.*)", re.DOTALL)
+WETTING_TIME = Measure(60, "s")
+"""Laboratory time that a stage "wet" takes: the cell is flooded in a minute."""
+_STAGE = re.compile(
+    r"\s*(load|unload)\s+to\s+(.*?)(?:\s+in\s+(.*))?|\s*(hold)\s+for\s+(.*)|\s*(wet)\s*", re.DOTALL
+)
 
 
 @dataclass(frozen=True)
 class Stage:
-    """One stage: `load` or `unload` to a stress [Pa], or `hold` the stress for a laboratory time [s]."""
+    """One stage: `load` or `unload` to a stress [Pa], `hold` the stress, or `wet` the specimen under it.
 
-    kind: Literal["load", "unload", "hold"]
+    duration: laboratory time [s]; None: the stress is changed at once.
+    """
+
+    kind: Literal["load", "unload", "hold", "wet"]
     stress: Measure | None = None
     duration: Measure | None = None
+
+    @property
+    def rests(self) -> bool:
+        """Whether the stress stays as it is."""
+        return self.stress is None
 
     def written(self) -> str:
         """As a card would write it, exactly."""
         if self.kind == "hold":
             return f"hold for {self.duration.written()}"
-        return f"{self.kind} to {self.stress.written()}"
+        if self.kind == "wet":
+            return "wet"
+        during = "" if self.duration is None else f" in {self.duration.written()}"
+        return f"{self.kind} to {self.stress.written()}{during}"
 
 
 @dataclass(frozen=True)
@@ -35,7 +50,7 @@ class Program:
 
     allowed: str = (
         f"a list of 1 to {MOST_STAGES} stages in quotes: "
-        '"load to 100 kPa", "unload to 5 kPa", "hold for 24 h"'
+        '"load to 100 kPa", "unload to 5 kPa in 1 h", "hold for 24 h", "wet"'
     )
 
     def read(self, value: Any) -> tuple[Stage, ...]:
@@ -55,12 +70,15 @@ class Program:
         match = _STAGE.fullmatch(text) if isinstance(text, str) else None
         if match is None:
             raise Problem("not a stage", self.allowed)
-        kind, stress, hold, duration = match.groups()
+        kind, stress, during, hold, duration, wet = match.groups()
+        if (hold or wet) and not before:
+            raise Problem(f"nothing to {hold or wet} yet", "a stage that loads comes first")
         if hold:
-            if not before:
-                raise Problem("nothing to hold yet", "a stage that loads comes first")
             return Stage("hold", duration=DURATION.read(duration))
-        stage = Stage(kind, stress=STRESS.read(stress))
+        if wet:
+            return Stage("wet", duration=WETTING_TIME)
+        time = None if during is None else DURATION.read(during)
+        stage = Stage(kind, stress=STRESS.read(stress), duration=time)
         last = next((s.stress for s in reversed(before) if s.stress is not None), 0.0)
         if kind == "load" and not stage.stress > last:
             raise Problem(

@@ -7,7 +7,20 @@ from collections.abc import Sequence
 
 import typer
 
-from grus.commands import bench, card, crush, data, info, oedometer, verify
+from grus.commands import (
+    bench,
+    campaign,
+    card,
+    crush,
+    data,
+    diagnose,
+    info,
+    mechanisms,
+    oedometer,
+    prove,
+    report,
+    verify,
+)
 from grus.commands.run import run
 
 app = typer.Typer(
@@ -16,11 +29,16 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
 )
 app.command()(bench.bench)
+app.command()(campaign.campaign)
 app.command()(card.card)
 app.command()(crush.crush)
 app.command()(data.data)
+app.command()(diagnose.diagnose)
 app.command()(info.info)
+app.command()(mechanisms.mechanisms)
 app.command()(oedometer.oedometer)
+app.command()(prove.prove)
+app.command()(report.report)
 app.command()(verify.verify)
 
 

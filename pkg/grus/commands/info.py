@@ -1,16 +1,19 @@
-"""`grus info`: what is installed."""
+"""`grus info`: what is installed, and what is supported."""
 
 import platform
 import sys
 from importlib.metadata import PackageNotFoundError, version
 
+from grus.host.load import SUPPORTED
+
 LIBRARIES = ("numpy", "scipy", "pandas", "matplotlib", "shapely", "pint", "pydantic", "typer")
 
 
 def info() -> None:
-    """Show the versions of Grus, YADE, Python and the libraries."""
+    """Show the versions of Grus, YADE, Python and the libraries, and which YADEs are supported."""
     for name, found in versions().items():
         print(f"{name:<12}{found}")
+    print(f"{'supported':<12}{SUPPORTED}")
 
 
 def versions() -> dict[str, str]:

@@ -1,5 +1,6 @@
 """Load YADE and make Grus's classes known to it."""
 
+import builtins
 import contextlib
 import importlib
 import io
@@ -10,7 +11,10 @@ from types import ModuleType
 
 from grus.host import locate
 
-SUPPORTED = "YADE 2023.02a, double build, as in Debian 12 (amd64)"
+SUPPORTED = (
+    "YADE 2023.02a (Debian 12) and 2025.2.0 (Debian 13), amd64, double, "
+    "each with engines that scripts/build made there"
+)
 SHOWN_DIFFERENCES = 3
 
 
@@ -21,6 +25,8 @@ def import_yade() -> ModuleType:
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     if not locate.importable():
         sys.path.append(str(locate.yade_folder()))
+    # YADE sets attributes of it, and in a process that multiprocessing has started it may be a dictionary.
+    vars(sys.modules["__main__"])["__builtins__"] = builtins
     with contextlib.redirect_stdout(io.StringIO()):
         return importlib.import_module("yade")
 

@@ -1,7 +1,8 @@
-"""Find the Python folder of the installed YADE, for plain python3."""
+"""Find the Python folder of the installed YADE, for plain python3. Run by the build, it prints the version."""
 
 import importlib.util
 import os
+import re
 import sys
 import sysconfig
 from pathlib import Path
@@ -31,3 +32,16 @@ def yade_folder() -> Path:
             f"grus needs YADE, and there is none in {libraries}/yade*/py (YADE_PREFIX names another prefix)"
         )
     return min(builds, key=lambda build: (build.name != "yade-double", build.name)) / "py"
+
+
+def installed_version() -> str:
+    """Version of that YADE, which is not loaded; ImportError, in one line, as `yade_folder`."""
+    config = (yade_folder() / "yade" / "config.py").read_text()
+    return re.search(r"^version='(.+)'$", config, re.M)[1]
+
+
+if __name__ == "__main__":
+    try:
+        print(installed_version())
+    except ImportError as error:
+        sys.exit(str(error))

@@ -22,9 +22,9 @@ def run_in_processes(
     Ctrl-C, ends the processes at once and is passed on.
     """
     others = set(active_children())
-    with _surroundings(), ProcessPoolExecutor(count, mp_context=get_context("spawn")) as pool:
+    with surroundings(), ProcessPoolExecutor(count, mp_context=get_context("spawn")) as pool:
         try:
-            with _ignored_interrupts():
+            with ignored_interrupts():
                 runs = {pool.submit(function, *call): index for index, call in enumerate(calls)}
             for run in as_completed(runs):
                 done(runs[run], run.result())
@@ -36,7 +36,7 @@ def run_in_processes(
 
 
 @contextmanager
-def _surroundings() -> Iterator[None]:
+def surroundings() -> Iterator[None]:
     """What a new process finds: one thread, and no main file."""
     # YADE keeps one scene per process and threads of its own: a fork of a process that has loaded it may hang. OpenMP
     # reads its variable while the new process loads it, so it must be in the environment before.
@@ -57,7 +57,7 @@ def _surroundings() -> Iterator[None]:
 
 
 @contextmanager
-def _ignored_interrupts() -> Iterator[None]:
+def ignored_interrupts() -> Iterator[None]:
     """Processes that are started meanwhile never see Ctrl-C: the one that started them ends them."""
     if threading.current_thread() is not threading.main_thread():
         yield  # only the main thread may set handlers

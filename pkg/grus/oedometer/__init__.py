@@ -1,6 +1,7 @@
 """Staged compression of a specimen in an oedometer."""
 
 from grus.oedometer.analysis import Analysis
+from grus.oedometer.laboratory import laboratory
 from grus.oedometer.report import write_report
 from grus.oedometer.result import OedometerResult, StageEnd
 from grus.oedometer.run import oedometer
@@ -12,6 +13,7 @@ __all__ = [
     "OedometerResult",
     "OedometerTest",
     "StageEnd",
+    "laboratory",
     "oedometer",
     "summary",
     "write_report",

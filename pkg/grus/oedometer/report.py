@@ -12,9 +12,12 @@ from grus.compression import BreakageOnset, YieldStress
 from grus.files import replacing, write_text
 from grus.oedometer.analysis import NO_BREAKAGE, NO_ONSET, Analysis
 from grus.oedometer.figures import figures
+from grus.oedometer.laboratory import laboratory
+from grus.oedometer.program import program
 from grus.oedometer.result import OedometerResult
 from grus.oedometer.tables import curve_table, grading_table, stage_table
 from grus.plotting import save
+from grus.recording import write
 from grus.scene.vtk import write_vtk
 from grus.version import __version__
 
@@ -22,7 +25,7 @@ from grus.version import __version__
 def write_report(
     result: OedometerResult, folder: str | Path, analysis: Analysis | None = None
 ) -> dict:
-    """Writes result.json, tables, plots (PNG and SVG) and VTK files into `folder`; returns what result.json holds.
+    """Writes result.json, recording.csv, tables, plots (PNG and SVG) and VTK files into `folder`; returns what result.json holds.
 
     analysis: that of `result` if it is at hand already.
     """
@@ -36,6 +39,7 @@ def write_report(
     }
     for name, table in tables.items():
         _write_table(table, folder / f"{name}.csv")
+    write(laboratory(result), folder / "recording.csv")
     plots = figures(result, analysis)
     for name, figure in plots.items():
         save(figure, folder / name)
@@ -45,7 +49,7 @@ def write_report(
         write_vtk(path, result.prepared.specimen, end.state)
     found = numbers(result, analysis)
     files = [*(f"{name}.csv" for name in tables), *(f"{name}.png" for name in plots), "vtk/"]
-    found["files"] = ["result.json", *files]
+    found["files"] = ["result.json", "recording.csv", *files]
     # Last, so that a result.json stands for a complete folder.
     text = json.dumps(found, indent=1, allow_nan=False)
     write_text(folder / "result.json", text + "\n")
@@ -90,6 +94,11 @@ def numbers(result: OedometerResult, analysis: Analysis) -> dict:
             "initial": float(analysis.fragments[0].mass(result.card.element.density).sum()),
             "unit": "kg",
             "error": analysis.lost_mass(),
+        },
+        "laboratory": {
+            "time": program(result.card)[-1].ends,
+            "delayed_failures": int(result.rests["failures"][-1]) if len(result.rests) else 0,
+            "unit": "s",
         },
         "inertial_number": float(result.record["inertial_number"].max()),
         "steps": last.steps,

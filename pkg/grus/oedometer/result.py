@@ -21,7 +21,7 @@ def stage_name(kind: str, stress: float) -> str:
 class StageEnd:
     """The specimen at rest at the end of a stage.
 
-    number: from 0, which is the seating. kind: 'seat', 'load', 'unload' or 'hold'. target: axial stress [Pa].
+    number: from 0, which is the seating. kind: 'seat', 'load', 'unload', 'hold' or 'wet'. target: axial stress [Pa].
     height [m]; void_ratio by the outlines of the grains [-]; axial_stress and side_stress [Pa]; tension_breaks and
     shear_breaks: bonds broken since the start; steps: of the whole test so far. state: elements and bonds. contacts: with their
     forces.
@@ -58,13 +58,17 @@ class StageEnd:
 
 @dataclass(frozen=True)
 class OedometerResult:
-    """Record and stages of a test; the first stage is the seating, whose end all strains and void ratios refer to."""
+    """Record and stages of a test; the first stage is the seating, whose end all strains and void ratios refer to.
+
+    rests: records on the laboratory clock, in holds and at delayed failures; empty when bonds do not change with time.
+    """
 
     card: Card
     prepared: PreparedSpecimen
     bonds: int
     record: Record
     stages: tuple[StageEnd, ...]
+    rests: Record = Record({}, {})
 
     @property
     def seated(self) -> StageEnd:

@@ -10,9 +10,10 @@ from yade import O
 from grus.card import Card
 from grus.errors import GrusError
 from grus.oedometer.files import TestFiles
-from grus.oedometer.result import stage_name
+from grus.oedometer.clock import ageing
+from grus.oedometer.program import Planned
 from grus.oedometer.slices import Slices
-from grus.oedometer.test import ledger, servo
+from grus.oedometer.test import at_end, ledger, servo
 
 Progress = Callable[[float, str], None]
 """Called with the share of the test that is done (0 while the specimen is prepared) and a line on what is going on."""
@@ -21,29 +22,29 @@ SAVING = 0.05
 
 
 class StageRun:
-    """The stage of number `servo().stage` among `stages`, each a kind and an axial stress [Pa].
+    """The stage of number `servo().stage` among `stages`.
 
     The scene is saved every `checkpoint` seconds, and less often when that takes long.
     """
 
     def __init__(
-        self, card: Card, stages: list[tuple[str, float]], files: TestFiles, checkpoint: float
+        self, card: Card, stages: list[Planned], files: TestFiles, checkpoint: float
     ) -> None:
         self.card, self.stages, self.files, self.checkpoint = card, stages, files, checkpoint
         self.number = servo().stage
-        self.kind, self.stress = stages[self.number]
+        self.stage = stages[self.number]
         self.first = O.iter
 
     @property
     def name(self) -> str:
         """As in "stage 2, load to 200 kPa"."""
-        return f"stage {self.number}, {stage_name(self.kind, self.stress)}"
+        return f"stage {self.number}, {self.stage.name}"
 
     def finish(self, tell: Progress) -> None:
         """Raises GrusError when the specimen comes to a bad end, or when the stage takes too many steps."""
         slices = Slices()
         saved, took = time.monotonic(), 0.0
-        while not servo().done:
+        while not at_end():
             try:
                 slices.run()
             except RuntimeError as complaint:
@@ -57,13 +58,18 @@ class StageRun:
                 took = saved - start
 
     def _progress(self) -> tuple[float, str]:
-        s = servo()
-        before = self.stages[self.number - 1][1] if self.number else 0.0
-        done = _share(before, (s.topStress + s.bottomStress) / 2, self.stress)
+        s, clock = servo(), ageing()
+        where = f"{s.topStress / 1e3:.4g} kPa"
+        if clock is not None and clock.holding:
+            passed = max(clock.clock - self.stage.begins, 0.0)
+            done = math.log1p(passed) / math.log1p(self.stage.ends - self.stage.begins)
+            where = f"{passed / 3600:.4g} h"
+        else:
+            before = self.stages[self.number - 1].stress if self.number else 0.0
+            done = _share(before, (s.topStress + s.bottomStress) / 2, self.stage.stress)
         return (
             (self.number + done) / len(self.stages),
-            f"{stage_name(self.kind, self.stress)}: {s.topStress / 1e3:.4g} kPa, strain {s.strain:.3%}, "
-            f"{ledger().breaks} bonds broken, step {O.iter}",
+            f"{self.stage.name}: {where}, strain {s.strain:.3%}, {ledger().breaks} bonds broken, step {O.iter}",
         )
 
     def _fail(self, complaint: str) -> NoReturn:
@@ -75,7 +81,7 @@ class StageRun:
 
     def _give_up_in_time(self) -> None:
         most = self.card.oedometer.max_steps
-        if O.iter - self.first <= most or servo().done:
+        if O.iter - self.first <= most or at_end():
             return
         self.files.save_scene()
         s = servo()

@@ -8,6 +8,7 @@ from yade.wrapper import BondLedger, BondMat, GrainLoop, OedometerServo
 
 from grus.card import Card
 from grus.errors import GrusError
+from grus.oedometer.clock import add_ageing, ageing, rests
 from grus.preparation import PreparedSpecimen
 from grus.record import Record
 from grus.scene import GrainEngines, grain_material, insert
@@ -59,6 +60,7 @@ class OedometerTest:
             top=walls[axis][1],
             sides=[wall for other in range(axis) for wall in walls[other]],
             axis=axis,
+            moving=test.platens or "both",
             solidVolume=prepared.outline_volume,
             ledger=engines.ledger,
             maxSpeed=test.speed,
@@ -77,6 +79,17 @@ class OedometerTest:
         engines.start([servo])
         # Shear forces of contacts are not kept with a specimen: they build up here, between resting platens.
         engines.quench()
+        add_ageing(card, servo)
+
+    @property
+    def record(self) -> Record:
+        """What the servo has recorded so far."""
+        return record()
+
+    @property
+    def rests(self) -> Record:
+        """What the laboratory clock has recorded so far."""
+        return rests()
 
     def _walls(self, axis: int) -> list[tuple[int, int]]:
         """Ids of the two walls across each axis."""
@@ -119,6 +132,12 @@ def servo() -> OedometerServo:
 def ledger() -> BondLedger:
     """The ledger of the current scene."""
     return servo().ledger
+
+
+def at_end() -> bool:
+    """Whether the stage of the current scene has ended: at rest, and not in a hold whose time goes on."""
+    clock = ageing()
+    return servo().done and not (clock is not None and clock.holding)
 
 
 def record() -> Record:

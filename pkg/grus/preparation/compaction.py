@@ -113,7 +113,8 @@ class Compaction:
         p = self.card.preparation
         self.press.set_friction(p.friction)
         sound = (p.seating_stress / self.card.element.density) ** 0.5
-        for speed in sound * np.append(0.0, np.geomspace(SOFTEST_TAP, HARDEST_TAP, TAPS)):
+        rising = np.geomspace(SOFTEST_TAP, HARDEST_TAP, TAPS).round(6)  # the same everywhere
+        for speed in sound * np.append(0.0, rising):
             self._tap(speed)
             if self.press.run(BEAT, stop):
                 return True
@@ -161,5 +162,7 @@ def soft_stiffness(card: Card, grains: Specimen) -> float:
 def start_box(card: Card, exo_radius: np.ndarray, base: np.ndarray) -> np.ndarray:
     """Size (dimension,) [m] of the box in which exo-spheres fill the share that the card says."""
     unit = np.pi if card.dimension == 2 else 4 / 3 * np.pi
-    volume = unit * float((exo_radius**card.dimension).sum()) / solid_fraction(card)
+    volume = (
+        unit * float(np.prod([exo_radius] * card.dimension, axis=0).sum()) / solid_fraction(card)
+    )
     return np.append(base, volume / base.prod())

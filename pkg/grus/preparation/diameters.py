@@ -7,6 +7,7 @@ from grus.errors import GrusError
 from grus.grading import Grading, power_law_of_rms, sample_diameters
 from grus.grading.numbers import UNIT_MEASURE
 from grus.preparation.stream import Step, stream
+from grus.specimen.rounding import on_grid
 
 HEIGHT_TOLERANCE = 0.05
 """Largest difference between the height of the card and that which the grains need, over the former [-]."""
@@ -53,4 +54,4 @@ def diameters(card: Card) -> np.ndarray:
             f"{card.source}: specimen.grains = {len(sampled)}: at void ratio {s.void_ratio:g} they stand "
             f"{share * s.height:.4g} m high, not {s.height:g} m; allowed: about {fit}, or leave the key out"
         )
-    return sampled
+    return on_grid(sampled, card.element.radius)

@@ -100,4 +100,4 @@ def outline_volume(specimen: Specimen) -> float:
     d = specimen.grain_diameter
     if specimen.dimension == 2:
         return float(np.pi / 4 * (d**2).sum() * specimen.thickness)
-    return float(np.pi / 6 * (d**3).sum())
+    return float(np.pi / 6 * (d * d * d).sum())

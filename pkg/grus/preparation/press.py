@@ -12,6 +12,7 @@ from grus.preparation.prepared import outline_volume
 from grus.preparation.walls import add_walls, wall_box
 from grus.scene import GrainEngines, insert, stop_grains
 from grus.specimen import Specimen
+from grus.specimen.clump_properties import clump_volume
 
 LOOK = 50
 """Time steps between two looks at the void ratio, and of the servo at the unbalanced force."""
@@ -180,8 +181,5 @@ def element_stiffness(material: BondMat, radius: float) -> float:
 
 def _longest_step(specimen: Specimen, stiffness: float, density: float) -> float:
     """Time step [s] that is safe for the smallest clump when contacts form before the stepper looks again."""
-    plane = specimen.dimension == 2
-    r = specimen.radius
-    volume = np.pi * r**2 * specimen.thickness if plane else 4 / 3 * np.pi * r**3
-    lightest = density * float(np.bincount(specimen.clump, weights=volume).min())
+    lightest = density * float(clump_volume(specimen).min())
     return float(0.5 * np.sqrt(lightest / stiffness))

@@ -3,12 +3,14 @@
 import numpy as np
 
 from grus.specimen import Specimen
+from grus.specimen.rounding import on_grid
 
 
 def fit_rigid(grains: Specimen, moved: np.ndarray) -> np.ndarray:
     """Positions (n, 3) [m] of the elements with each grain of `grains` turned and shifted to lie as in `moved` (n, 3).
 
-    Least squares over the elements of a grain (Kabsch 1976, Acta Cryst. A32, 922): its shape is exactly as before.
+    Least squares over the elements of a grain (Kabsch 1976, Acta Cryst. A32, 922): its shape is as before but for the
+    rounding of `on_grid`.
     """
     placed = np.zeros_like(moved)
     dimension = grains.dimension
@@ -20,4 +22,4 @@ def fit_rigid(grains: Specimen, moved: np.ndarray) -> np.ndarray:
         sense = np.ones(dimension)
         sense[-1] = np.sign(np.linalg.det(left @ right))
         placed[own, :dimension] = (here - middle) @ (left * sense) @ right + goal
-    return placed
+    return on_grid(placed, float(grains.radius.min()))

@@ -71,11 +71,11 @@ def _steps(told: list[Found], program: tuple[Stage, ...]) -> list[_Step]:
     for number, stage in enumerate(program, start=1):
         if number == 1 and loaded:
             continue
-        if stage.kind == "hold" and steps and steps[-1].rests:
+        if stage.rests and steps and steps[-1].rests:
             steps[-1] = _Step(start, start, (*steps[-1].stages, number), rests=True)
             continue
-        end = start if stage.stress is None else float(stage.stress)
-        steps.append(_Step(start, end, (number,), rests=stage.kind == "hold"))
+        end = start if stage.rests else float(stage.stress)
+        steps.append(_Step(start, end, (number,), rests=stage.rests))
         start = end
     return steps
 

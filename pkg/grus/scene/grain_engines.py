@@ -1,8 +1,9 @@
 """All engines of a test on grains."""
 
 from yade import O
-from yade.wrapper import BondTimeStepper, Engine, GrainLoop, NewtonIntegrator
+from yade.wrapper import BondTimeStepper, Engine, GrainLoop
 
+from grus.host.differences import leapfrog
 from grus.scene.bonding import bond
 from grus.scene.loop import InteractionEngines
 from grus.specimen import Specimen
@@ -28,7 +29,7 @@ class GrainEngines:
         self.loop, self.damping, self.skin = loop, damping, skin
         self.interactions = InteractionEngines()
         # One for all: the collider stays with the first that it meets.
-        self.newton = NewtonIntegrator(damping=damping, gravity=(0, 0, 0))
+        self.newton = leapfrog(damping=damping, gravity=(0, 0, 0))
         self.ledger = self.interactions.ledger
         self.stepper = BondTimeStepper(safety=safety, timeStepUpdateInterval=SUBSTEPS)
 

@@ -18,6 +18,7 @@ def grain_material(card: Card) -> BondMat:
         seed=card.seed,
         bond=bond.kind,
         **_contact_stiffness(card),
+        **_contact_options(card),
     )
     if bond.kind == "none":
         return material
@@ -46,11 +47,36 @@ def _contact_stiffness(card: Card) -> dict[str, float]:
     normal, shear = card.contact.normal_stiffness, card.contact.shear_stiffness
     if card.contact.stiffness_kind == "total":
         return {"kn": normal, "ks": shear}
+    if card.contact.law == "hertz":  # whose moduli BondMat keeps as young and poisson
+        diameter = 2 * card.element.radius
+        return {"kn": diameter * normal, "ks": diameter * shear}
     return {"young": normal, "poisson": shear / normal}
 
 
+def _contact_options(card: Card) -> dict[str, float | str]:
+    """What contacts of elements are beyond linear springs with friction."""
+    contact = card.contact
+    options = {"unloadingRatio": contact.unloading_ratio, **_rolling(card)}
+    if contact.law == "hertz":
+        solid = {"young": contact.young_modulus, "poisson": contact.poisson_ratio}
+        options |= {"contactLaw": "hertz", **solid}
+    return options
+
+
+def _rolling(card: Card) -> dict[str, float]:
+    """Rolling resistance of a body; a contact has one only when both bodies have."""
+    contact = card.contact
+    return {
+        "rollingStiffness": contact.rolling_stiffness,
+        "rollingFriction": contact.rolling_friction,
+    }
+
+
 def platen_material(card: Card) -> BondMat:
-    """Material of the platens: never bonded, ten times as stiff as an element unless the card says otherwise."""
+    """Material of the platens: never bonded, ten times as stiff as an element unless the card says otherwise.
+
+    For Hertz elements it is rigid.
+    """
     radius = card.element.radius
     own = _contact_stiffness(card)
     normal = own.get("kn", 2 * own.get("young", 0) * radius)
@@ -63,4 +89,5 @@ def platen_material(card: Card) -> BondMat:
         ks=10 * shear if stiffness is None else stiffness,
         frictionAngle=atan(card.contact.friction_coefficient if friction is None else friction),
         thickness=card.thickness if card.dimension == 2 else 0,
+        **_rolling(card),
     )

@@ -9,6 +9,7 @@ from grus.specimen.missing import remaining
 from grus.specimen.outline import Outline
 from grus.specimen.require import require, require_positive
 from grus.specimen.rotation import plane_rotation, random_rotation
+from grus.specimen.rounding import on_grid
 from grus.specimen.specimen import Specimen
 from grus.specimen.stamp import Stamp
 from grus.specimen.stream import Purpose, stream
@@ -68,7 +69,7 @@ def agglomerate(
     return Specimen(
         dimension=outline.dimension,
         thickness=thickness,
-        position=position,
+        position=on_grid(position, element_radius),
         radius=radius,
         clump=clump,
         grain=np.zeros(len(radius)),

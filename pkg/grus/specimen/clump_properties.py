@@ -23,7 +23,8 @@ def element_volume(specimen: Specimen) -> np.ndarray:
     """Volume (n,) [m3]: pi r^2 t of the discs of a plane specimen, 4/3 pi r^3 of spheres."""
     if specimen.dimension == 2:
         return np.pi * specimen.radius**2 * specimen.thickness
-    return 4 / 3 * np.pi * specimen.radius**3
+    # A product, not a power, of which the last digit changed from one version of numpy to the next.
+    return 4 / 3 * np.pi * (specimen.radius * specimen.radius * specimen.radius)
 
 
 def clump_volume(specimen: Specimen) -> np.ndarray:

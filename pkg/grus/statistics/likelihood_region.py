@@ -43,7 +43,8 @@ class LikelihoodRegion:
         moduli = np.exp(log_moduli)
         best = (logsumexp(np.multiply.outer(moduli, logs), axis=-1) - np.log(count)) / moduli
         # along u the loss is count * (v + exp(-v) - 1) with v = m (u - best)
-        left = 1.0 + np.maximum(-excess(log_moduli), 0.0) / count
+        # not 1 itself: -exp(-1), rounded, lies beyond the real branches, and newer versions of scipy give nan
+        left = 1.0 + np.maximum(-excess(log_moduli) / count, np.finfo(float).eps)
         shifts = [left + lambertw(-np.exp(-left), branch).real for branch in (0, -1)]
         self.moduli = np.tile(moduli, 2)
         self.locations = np.concatenate([best + shift / moduli for shift in shifts])

@@ -29,9 +29,9 @@ from yade.wrapper import (
     Law2_ScGeom6D_CohFrictPhys_CohesionMoment,
     Law2_ScGeom_BondPhys_Bonded,
     Law2_ScGeom_JCFpmPhys_JointedCohesiveFrictionalPM,
-    MatchMaker,
 )
 
+from grus.host.differences import set_moment_bounds
 from grus.verification.formulas import BondedPair
 from grus.verification.law import DENSITY, Law
 
@@ -67,8 +67,10 @@ def grus_law(pair: BondedPair) -> Law:
     )
 
 
-def cohfrict_law(pair: BondedPair, alpha_kr: float = 0.0, alpha_ktw: float = 0.0) -> Law:
-    """YADE's CohFrict; with moments when `alpha_kr` or `alpha_ktw` is not 0."""
+def cohfrict_law(
+    pair: BondedPair, alpha_kr: float = 0.0, alpha_ktw: float = 0.0, moment_bounds: bool = False
+) -> Law:
+    """YADE's CohFrict; with moments when `alpha_kr` or `alpha_ktw` is not 0, which break bonds if `moment_bounds`."""
     radius = min(pair.radii)
     moments = alpha_kr != 0 or alpha_ktw != 0
     material = CohFrictMat(
@@ -81,14 +83,9 @@ def cohfrict_law(pair: BondedPair, alpha_kr: float = 0.0, alpha_ktw: float = 0.0
         momentRotationLaw=moments,
         alphaKr=alpha_kr,
         alphaKtw=alpha_ktw,
-        etaRoll=-1,
-        etaTwist=-1,
     )
     physics = Ip2_CohFrictMat_CohFrictMat_CohFrictPhys(setCohesionNow=True)
-    # Later versions of YADE also limit the moments; negative limits switch that off.
-    for limit in ("rollingCohesion", "twistingCohesion"):
-        if hasattr(physics, limit):
-            setattr(physics, limit, MatchMaker(algo="val", val=-1))
+    set_moment_bounds(material, physics, moment_bounds)
     return Law(
         material,
         Ig2_Sphere_Sphere_ScGeom6D(),

@@ -5,11 +5,12 @@ from dataclasses import replace
 
 import numpy as np
 
+from grus.host.differences import MOMENT_BOUNDS
 from grus.verification.elastic import load
 from grus.verification.formulas import BondedPair, Motion
 from grus.verification.law import Law
 from grus.verification.laws import cohfrict_law, grus_law
-from grus.verification.other_laws import PART, RADIUS
+from grus.verification.other_laws import BRACKET, PART, RADIUS
 from grus.verification.pair import PairScene
 from grus.verification.row import Row, compare
 
@@ -49,10 +50,13 @@ def rotation_law_rows() -> Iterator[Row]:
             NOTE,
         )
     yield _moment_at_break()
+    if MOMENT_BOUNDS:
+        yield _moment_bound("bending")
+        yield _moment_bound("twist")
     yield _stiffness_ratio()
 
 
-def _converted(pair: BondedPair) -> Law:
+def _converted(pair: BondedPair, moment_bounds: bool = False) -> Law:
     """CohFrict with the stiffnesses of a parallel bond, and its strengths in pure tension and shear."""
     (area, inertia, polar), (kn, ks) = pair.section, pair.per_area
     contact = replace(
@@ -64,7 +68,8 @@ def _converted(pair: BondedPair) -> Law:
         shear=pair.shear * area,
     )
     unit = pair.radii[0] * pair.radii[1] * ks * area
-    return cohfrict_law(contact, alpha_kr=kn * inertia / unit, alpha_ktw=ks * polar / unit)
+    alphas = kn * inertia / unit, ks * polar / unit
+    return cohfrict_law(contact, *alphas, moment_bounds)
 
 
 def _moment_at_break() -> Row:
@@ -83,9 +88,38 @@ def _moment_at_break() -> Row:
         moment,
         got,
         None,
-        "The parallel bond breaks at M = sigma_c I / (beta Rb); CohFrict of this version of YADE never breaks by "
-        "moments (later versions can, which is switched off here for a like comparison).",
+        "The parallel bond breaks at M = sigma_c I / (beta Rb); CohFrict does not, its moment bounds being switched off "
+        "(YADE 2023.02a has none).",
     )
+
+
+def _moment_bound(name: str) -> Row:
+    """Highest moment that CohFrict holds with its bounds switched on, against that of a bond of its radius."""
+    pair, motion = replace(BOND, ratio=1), MOTIONS[name]
+    factor, _ = pair.load_to_break(motion)
+    held = [
+        _moment_held(law, motion.times(factor))
+        for law in (grus_law(pair), _converted(pair, moment_bounds=True))
+    ]
+    return compare(
+        PART,
+        f"CohFrict with moment bounds, pair: {name}",
+        "moment at break",
+        "N m",
+        *held,
+        1e-3,
+        "Both hold at (1 - 1e-6) of the load and have lost the bond at (1 + 1e-6): with beta = 1 and Rb = R a parallel "
+        "bond breaks at sigma_c pi R^3 / 4 in bending and tau_c pi R^3 / 2 in twist, CohFrict at Cn R^3 / 4 and Cs R^3 / 2.",
+    )
+
+
+def _moment_held(law: Law, at: Motion) -> float:
+    """Moment at a share BRACKET below `at` [N m]; not a number if the bond does not break between there and above."""
+    scene = PairScene(law, BOND.radii)
+    scene.drive(at.times(1 - BRACKET), STEPS)
+    held, moment = scene.holds, float(np.linalg.norm(scene.torques()[1]))
+    scene.drive(at.times(2 * BRACKET), 1)
+    return moment if held and not scene.holds else np.nan
 
 
 def _stiffness_ratio() -> Row:

@@ -5,6 +5,7 @@ from pathlib import Path
 
 from grus.host.processes import run_in_processes
 from grus.verification.breaking import breaking_rows
+from grus.verification.contact_options import contact_options_rows
 from grus.verification.elastic import elastic_rows
 from grus.verification.energy import energy_rows
 from grus.verification.invariance import invariance_rows
@@ -22,6 +23,7 @@ CASES: tuple[Callable[[], Iterator[Row] | Curves], ...] = (
     invariance_rows,
     other_laws_rows,
     rotation_law_rows,
+    contact_options_rows,
     block_curves,
     time_step_rows,
     energy_rows,

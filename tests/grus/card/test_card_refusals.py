@@ -39,8 +39,8 @@ MISTAKES = [
         'element.raduis = "1 mm": unknown key, did you mean element.radius;',
     ),
     (
-        {"contact.radius_ratio": 1},
-        "contact.radius_ratio = 1: unknown key, did you mean bond.radius",
+        {"contact.moment_contribution": 1},
+        "contact.moment_contribution = 1: unknown key, did you mean bond.moment",
     ),
     ({"zzz": 1}, "zzz = 1: unknown key; allowed: name, description"),
     ({LONG: 1}, "xxxxxxxx"),

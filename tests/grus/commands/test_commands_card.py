@@ -7,6 +7,7 @@ import pytest
 from grus.card import Card
 from grus.commands import main
 from grus.commands.info import versions
+from grus.host.load import SUPPORTED
 
 MODELS = Path(__file__).resolve().parents[3] / "models"
 GOOD = str(MODELS / "montesinho.toml")
@@ -57,6 +58,6 @@ def test_info_names_all_versions(capsys):
     assert main(["info"]) == 0
     out = capsys.readouterr().out
     lines = out.splitlines()
-    assert [line.split()[0] for line in lines] == list(versions())
+    assert [line.split()[0] for line in lines] == [*versions(), "supported"]
     assert {"grus", "YADE", "Python", "numpy", "pydantic"} <= set(versions())
-    assert "not found" not in out
+    assert "not found" not in out and f"supported   {SUPPORTED}" in lines

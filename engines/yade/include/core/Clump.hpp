@@ -1,6 +1,7 @@
 #pragma once
 
 #include <core/Body.hpp>
+#include <sdk/host_differences.hpp>
 
 namespace yade {
 
@@ -8,7 +9,7 @@ namespace yade {
 class Clump : public Shape {
 public:
     std::map<int, Se3r> members; // place of each member in the clump's axes
-    std::vector<int> ids;
+    YADE_HOST_CLUMP_IDS
 
     Clump() { createIndex(); }
     YADE_HOST_CLASS(Clump)

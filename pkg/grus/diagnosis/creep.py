@@ -1,0 +1,105 @@
+"""Static fatigue of bonds as a suspect: the time course is the law's own, its size is that of the DEM.
+
+A few dozen grains give a few delayed failures, in steps of very unequal height, where a laboratory specimen of many
+grains gives a smooth curve. What both have in common follows from the law. A bond under stress s fails after a time that goes as
+s^-n, and bonds carry stresses of many sizes; so failures are spread evenly over the logarithm of time, and what a hold
+adds is the logarithm of how much the used-up life has grown, life under a smaller stress counting little: with n of
+some tens, nothing goes on after unloading, and a second hold at the same stress goes on where the first ended.
+"""
+
+from dataclasses import dataclass
+from itertools import product
+
+import numpy as np
+
+from grus.diagnosis.fingerprint import Fingerprint
+from grus.diagnosis.layout import Layout
+from grus.diagnosis.suspect import Known, looseness, stage_levels
+
+EXPONENT = 20.0
+"""Of used-up life with stress; what comes out hardly depends on it above 10."""
+TIMES = (60.0, 600.0, 3600.0)
+"""Times [s] from which on strain goes with the logarithm of time."""
+POWERS = (0.75, 1.5, 2.25)
+"""Exponents of creep with stress."""
+AMOUNTS = 11
+LEAST, MOST = 2e-3, 1.5
+"""Amounts of creep over the strain of first loading."""
+UNEVEN = 0.35
+"""Scatter of creep from cell to cell, as a share: delayed failures come in steps."""
+
+
+@dataclass(frozen=True)
+class Creep(Known):
+    """Bond ageing, with amounts of creep in all holds together, and courses with time and stress."""
+
+    fingerprint: Fingerprint
+    compared: Layout
+
+    @property
+    def cases(self) -> list[tuple[float, float, float]]:
+        """Amount of strain in all holds, time from which it grows [s], exponent with stress."""
+        strain = self.compared.measured[self.compared.where(channel="strain", kind="load")]
+        scale = max(float(np.abs(strain).sum()), 1e-5)
+        amounts = scale * np.geomspace(LEAST, MOST, AMOUNTS)
+        # A grid that is thinned shows all amounts first.
+        return [(a, t, p) for a, (t, p) in product(amounts, product(TIMES, POWERS))]
+
+    @property
+    def grid(self) -> np.ndarray:
+        return np.arange(len(self.cases), dtype=float)
+
+    def change(self, size: float) -> np.ndarray:
+        amount, time, power = self.cases[int(size)]
+        return amount * course(self.compared, time, power)
+
+    def effect(self, size: float) -> tuple[np.ndarray, np.ndarray]:
+        change = self.change(size)
+        return change, looseness(self.compared, change, shape=UNEVEN)
+
+    def levels(self, size: float) -> np.ndarray:
+        return stage_levels(self.compared, self.change(size))
+
+    def value(self, size: float) -> float:
+        """Reference time [s] at which the DEM creeps by the same amount in all holds; linear in the logarithms."""
+        amount = self.cases[int(size)][0]
+        ran, sizes = self._amounts()
+        found = np.exp(np.interp(np.log(amount), np.log(ran), np.log(sizes)))
+        return float(found)
+
+    def outside(self, size: float) -> bool:
+        ran, _ = self._amounts()
+        return not ran[0] <= self.cases[int(size)][0] <= ran[-1]
+
+    def _amounts(self) -> tuple[np.ndarray, np.ndarray]:
+        """Strain in all holds of the DEM at each size, growing, and the sizes."""
+        holds = self.compared.where(channel="strain", kind="hold")
+        ran = np.maximum(self.fingerprint.changes[:, holds].sum(axis=1), 1e-7)
+        ran = np.maximum.accumulate(ran * (1 + 1e-9 * np.arange(len(ran))))
+        return ran, np.array(self.fingerprint.sizes)
+
+
+def course(compared: Layout, time: float, power: float) -> np.ndarray:
+    """Share (n,) of the creep of all holds that comes in each cell."""
+    result = np.zeros(len(compared.entries))
+    segments = compared.protocol.segments
+    highest = compared.protocol.highest
+    for stage, segment in enumerate(segments):
+        own = np.flatnonzero(compared.where(stage=stage, kind="hold", channel="strain"))
+        if not len(own):
+            continue
+        level = (segment.stress_to / highest) ** power
+        if not compared.protocol.timed:
+            before = max((s.stress_to for s in segments[:stage]), default=0.0)
+            result[own] = level * (segment.stress_to >= 0.97 * before) / len(own)
+            continue
+        used = time + sum(
+            (s.t1 - s.t0) * (max(s.stress_from, s.stress_to) / segment.stress_to) ** EXPONENT
+            for s in segments[:stage]
+            if s.kind == "hold"
+        )
+        lasts = segment.t1 - segment.t0
+        ends = [(compared.entries[i].start, compared.entries[i].end) for i in own]
+        result[own] = [level * np.log((used + b * lasts) / (used + a * lasts)) for a, b in ends]
+    total = result.sum()
+    return result / total if total > 0 else result

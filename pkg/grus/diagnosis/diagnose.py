@@ -1,0 +1,159 @@
+"""From a recording and a model card to a verdict."""
+
+import hashlib
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from grus.card import Card
+from grus.diagnosis.calibration import calibrate
+from grus.diagnosis.creep import Creep
+from grus.diagnosis.diagnosis import Diagnosis
+from grus.diagnosis.estimate import culprits
+from grus.diagnosis.evidence import Explanation, explanations
+from grus.diagnosis.fingerprint import Fingerprint
+from grus.diagnosis.improvement import improve
+from grus.diagnosis.layout import Layout, layout
+from grus.diagnosis.library import Library, library
+from grus.diagnosis.locate import misfit
+from grus.diagnosis.measurement import next_measurement
+from grus.diagnosis.plan import SEEDS, directions
+from grus.diagnosis.protocol import protocol
+from grus.diagnosis.put_back import put_back
+from grus.diagnosis.simulator import Simulator
+from grus.diagnosis.small_model import small_model
+from grus.diagnosis.suspect import UNKNOWN, Known, Suspect, Unknown
+from grus.diagnosis.verdict import decide
+from grus.diagnosis.whiteness import whiteness
+from grus.record import Record
+from grus.recording import read, segments
+
+TEMPER = 0.5
+"""Power of the likelihood; found on development trials. The covariance knows less of specimens than there is."""
+
+
+def diagnose(
+    recording: Record | str | Path,
+    card: Card,
+    store: str | Path,
+    seed: int = 1,
+    jobs: int | None = None,
+    budget: float | None = None,
+    say: Callable[[str], None] = lambda line: None,
+    program: list[str] | None = None,
+) -> Diagnosis:
+    """What physics the model of `card` leaves out, by a recording of a laboratory test.
+
+    recording: a record with axial stress and strain, or the file of one. store: folder of the runs, which further
+    diagnoses of the same test share. seed: of the specimens. jobs: runs at a time, by default one a core. budget: time [s]
+    after which no run is begun; fingerprints that are missing then are not looked for, and the diagnosis says so.
+    program: stages in the words of a card, when they are known. `say` is called with a line on each step.
+
+    Raises GrusError when the recording or the card makes no sense, or the base cannot be simulated.
+    """
+    start = time.monotonic()
+    name, digest = "", ""
+    if not isinstance(recording, Record):
+        name = Path(recording).name
+        digest = hashlib.sha256(Path(recording).read_bytes()).hexdigest()
+        recording = read(recording)
+    recording = replace(recording, segments=segments(recording, program))
+    plan = protocol(recording)
+    small = small_model(card)
+    deadline = None if budget is None else start + budget
+    seeds = tuple(1000 * seed + k for k in range(2 * SEEDS))
+    improvement, telling = None, ""
+    with Simulator(small, plan, store, jobs, deadline, say) as simulator:
+        calibration = calibrate(layout(recording, plan), simulator, seeds)
+        compared = calibration.compared
+        wanted = directions(recording, plan)
+        made = library(compared, simulator, calibration.base, seeds, wanted, recording)
+        suspected = suspects(compared, made)
+        difference = compared.measured - made.scatter.mean
+        covariance = made.covariance + compared.noise
+        found = explanations(difference, covariance, suspected, TEMPER)
+        decision = decide(found, not made.skipped)
+        stiffness = calibration.stiffness
+        named = culprits(decision.named, decision.probability, found, suspected, stiffness)
+        if decision.kind == "named":
+            best = _best(found, decision.named)
+            ran = put_back(
+                compared,
+                simulator,
+                calibration.base,
+                seeds,
+                named,
+                {d.mechanism.name: d.fixed for d in wanted},
+                best,
+                suspected,
+                stiffness,
+            )
+            if ran is not None:
+                named = list(ran.culprits)
+                improvement = improve(compared, made, best, suspected, ran)
+        elif decision.kind == "cannot_tell":
+            telling = _missing(made) or next_measurement(
+                recording, compared, made, found, suspected
+            )
+    return Diagnosis(
+        recording=recording,
+        recording_name=name,
+        recording_hash=digest,
+        card=card,
+        small=small,
+        protocol=plan,
+        calibration=calibration,
+        library=made,
+        misfit=tuple(misfit(compared, difference, covariance)),
+        explanations=tuple(found),
+        decision=decision,
+        culprits=tuple(named),
+        whiteness=_rest(difference, covariance, found, suspected),
+        improvement=improvement,
+        next_measurement=telling,
+        seed=seed,
+        runs=len(simulator.outcomes),
+        seconds=time.monotonic() - start,
+        notes=recording.notes,
+    )
+
+
+def _best(found: Sequence[Explanation], named: Sequence[str]) -> Explanation:
+    """The most probable explanation by the named mechanisms alone; by those and others when there is none."""
+    by_mechanisms = [(e, {n.split(":")[0] for n in e.names}) for e in found]
+    alone = [e for e, names in by_mechanisms if names == set(named)]
+    return alone[0] if alone else next(e for e, names in by_mechanisms if names >= set(named))
+
+
+def _missing(made: Library) -> str:
+    """What keeps a verdict open before any measurement could."""
+    if not made.skipped:
+        return ""
+    return f"no measurement yet: first the runs of {', '.join(made.skipped)}, with a larger budget"
+
+
+def suspects(compared: Layout, made: Library) -> list[Suspect]:
+    """All that may have been left out, known or not."""
+    typical = np.abs([made.scatter.mean, compared.measured]).max(axis=0)
+    ratios = (~compared.where(channel="strain")).any()
+    return [
+        *(_known(one, compared) for one in made.fingerprints),
+        *(Unknown(where, compared, typical) for where in UNKNOWN if where != "ratio" or ratios),
+    ]
+
+
+def _known(one: Fingerprint, compared: Layout) -> Known:
+    return (Creep if one.mechanism.name == "bond_ageing" else Known)(one, compared)
+
+
+def _rest(difference, covariance, found, suspected):
+    """Whiteness of what the best explanation by known mechanisms leaves."""
+    by_name = {s.name: s for s in suspected}
+    best = next(e for e in found if not any(n.startswith("unknown:") for n in e.names))
+    for name, size in zip(best.names, best.best()):
+        change, more = by_name[name].effect(size)
+        difference, covariance = difference - change, covariance + more
+    return whiteness(difference, covariance)

@@ -1,0 +1,145 @@
+"""Whether the fit gets better when the mechanisms are put back into the model."""
+
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from itertools import product
+from typing import Any
+
+import numpy as np
+
+from grus.diagnosis.evidence import Explanation
+from grus.diagnosis.layout import Layout
+from grus.diagnosis.library import Library
+from grus.diagnosis.predict import Effects, Error, error, predicted
+from grus.diagnosis.put_back import PutBack
+from grus.diagnosis.suspect import Suspect
+
+ACTS = 0.05
+"""Share of an effect's largest change of a stage, from which it acts in a stage."""
+FEW = 5
+"""Sizes of each of several mechanisms between which the stages that were seen choose."""
+
+
+@dataclass(frozen=True)
+class Fit:
+    """How well a model fits.
+
+    overall: all stages, after all were seen. where_it_acts: only those in which the mechanisms change the test. left_out:
+    each stage in which they do, after only the others were seen. mean (n,): the recording less the base as this model
+    has it after seeing all. foreseen (n,): the same of each such stage after seeing only the others.
+    """
+
+    overall: Error
+    where_it_acts: Error
+    left_out: Error
+    mean: np.ndarray
+    foreseen: np.ndarray
+
+    def to_dict(self) -> dict[str, Any]:
+        """Without the curves."""
+        return {
+            **asdict(self.overall),
+            "where_it_acts": asdict(self.where_it_acts),
+            "left_out": asdict(self.left_out),
+        }
+
+
+@dataclass(frozen=True)
+class Improvement:
+    """before, after: fits without and with the mechanisms. put_back: the runs in which they were put back into the
+    engines. left_out: stages of the protocol in which they act, each of which was foreseen from the others.
+    """
+
+    before: Fit
+    after: Fit
+    put_back: PutBack
+    left_out: tuple[int, ...]
+
+    @property
+    def change(self) -> np.ndarray:
+        """What the mechanisms changed in the runs (n,)."""
+        return self.put_back.change
+
+    @property
+    def specimens(self) -> int:
+        """That were run to the end with the mechanisms on."""
+        return self.put_back.specimens
+
+    @property
+    def overfit(self) -> bool:
+        """Whether only the stages that were fitted got better."""
+        return (
+            self.after.overall.rmse_strain < 0.9 * self.before.overall.rmse_strain
+            and self.after.left_out.rmse_strain >= self.before.left_out.rmse_strain
+        )
+
+
+def improve(
+    compared: Layout,
+    made: Library,
+    best: Explanation,
+    suspects: Sequence[Suspect],
+    ran: PutBack,
+) -> Improvement:
+    """Fits without and with the mechanisms of the best explanation, of all sizes, between which the stages that were seen
+    choose."""
+    n = len(compared.measured)
+    by_name = {s.name: s for s in suspects}
+    members = [by_name[name] for name in best.names]
+    acting = _acting(compared, members, best.best())
+    before, after = (
+        _fit(compared, made, effects, acting)
+        for effects in ([(np.zeros(n), np.zeros((n, n)))], _effects(members))
+    )
+    return Improvement(before, after, ran, acting)
+
+
+def _effects(members: Sequence[Suspect]) -> list[tuple[np.ndarray, np.ndarray]]:
+    """Change and its covariance at every combination of sizes."""
+    grids = [m.grid for m in members]
+    if len(members) > 1:
+        grids = [g[np.unique(np.linspace(0, len(g) - 1, FEW).round().astype(int))] for g in grids]
+    result = []
+    for sizes in product(*grids):
+        parts = [m.effect(size) for m, size in zip(members, sizes)]
+        result.append((sum(change for change, _ in parts), sum(more for _, more in parts)))
+    return result
+
+
+def _acting(
+    compared: Layout, members: Sequence[Suspect], sizes: Sequence[float]
+) -> tuple[int, ...]:
+    """Stages in which any of them changes strain."""
+    strain = compared.where(channel="strain")
+    stages = sorted({e.stage for e in compared.entries})
+    found: set[int] = set()
+    for member, size in zip(members, sizes):
+        change = np.abs(member.effect(size)[0])
+        sums = {k: float(change[strain & compared.where(stage=k)].sum()) for k in stages}
+        largest = max(sums.values(), default=0.0)
+        found |= {k for k, one in sums.items() if one > ACTS * largest}
+    return tuple(sorted(found))
+
+
+def _fit(compared: Layout, made: Library, effects: Effects, acting: tuple[int, ...]) -> Fit:
+    difference = compared.measured - made.scatter.mean
+    everything = np.ones(len(difference), dtype=bool)
+    stage = np.array([e.stage for e in compared.entries])
+    acts = np.isin(stage, acting)
+    noise = compared.noise
+    mean, spread = predicted(difference, made.covariance, noise, effects, everything)
+    foreseen, unseen = mean.copy(), spread.copy()
+    for left_out in acting:
+        own = stage == left_out
+        told, doubt = predicted(difference, made.covariance, noise, effects, ~own)
+        foreseen[own] = told[own]
+        unseen[np.ix_(own, own)] = doubt[np.ix_(own, own)]
+        # Stages are foreseen one by one: what their errors have in common is not counted.
+        unseen[np.ix_(own, ~own)] = unseen[np.ix_(~own, own)] = 0.0
+    return Fit(
+        error(compared, difference, mean, spread, everything),
+        error(compared, difference, mean, spread, acts),
+        error(compared, difference, foreseen, unseen, acts),
+        mean,
+        foreseen,
+    )

@@ -1,0 +1,83 @@
+"""What specimens of the same model differ by, as a covariance.
+
+Small specimens scatter. A hold of a specimen at rest does not; unloading and reloading scatter by some per cent; first
+loading scatters by as much as breakage adds to it, in a heavy-tailed way: a specimen goes through an avalanche or not.
+So the strain that comes from breakage is given a wide scatter, in its level and from cell to cell.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from grus.diagnosis.layout import Layout
+
+LEVEL = {"load": 0.15, "seat": 0.4, "unload": 0.12, "reload": 0.15}
+"""Standard deviation of the level of a stage where nothing breaks, as a share."""
+SHAPE = {"load": 0.08, "seat": 0.3, "unload": 0.06, "reload": 0.08}
+"""From cell to cell."""
+BROKEN_LEVEL, BROKEN_SHAPE = 0.8, 0.6
+"""The same of the strain that comes from breakage."""
+BEDDING = 0.35
+"""Scatter from cell to cell of first loading under little stress, as a share: how grains bed down on each other."""
+CALM = (0.15, 0.4)
+"""Stresses over the highest of the test below which no bond breaks, and above which any may."""
+SETTLING = (0.03, 0.004)
+"""Strain in the first and in the further cells of a hold, over that of the stage before: rest is never perfect."""
+RATIO = {"base": 0.01, "lateral": 0.05}
+RATIO_LEVEL = {"base": 0.01, "lateral": 0.2}
+"""Standard deviation of the logarithm of a ratio of stresses: of one stage, and of all together."""
+
+
+@dataclass(frozen=True)
+class Scatter:
+    """mean: of the vector over seeds (n,). elastic: the same where nothing breaks (n,). covariance (n, n)."""
+
+    mean: np.ndarray
+    elastic: np.ndarray
+    covariance: np.ndarray
+
+
+def scatter(compared: Layout, vectors: np.ndarray, elastic: np.ndarray) -> Scatter:
+    """From the vectors of the seeds (s, n) and the mean of such without breakage (n,)."""
+    mean = np.median(vectors, axis=0)
+    seen = np.abs(np.array([mean, compared.measured]))
+    size = np.abs(mean)
+    covariance = np.zeros((len(mean), len(mean)))
+    before = 0.0
+    share = np.array([e.end for e in compared.entries]) / compared.protocol.highest
+    breakable = np.clip((share - CALM[0]) / (CALM[1] - CALM[0]), 0.0, 1.0)
+    for stage in sorted({e.stage for e in compared.entries}):
+        own = compared.where(stage=stage, channel="strain")
+        if not own.any():
+            continue
+        kind = next(e.kind for e in compared.entries if e.stage == stage)
+        if kind == "hold":
+            settling = np.full(own.sum(), SETTLING[1] * before)
+            settling[0] = SETTLING[0] * before
+            covariance[np.ix_(own, own)] += np.diag(settling**2)
+            continue
+        # What the recording shows beyond elastic strain may be an avalanche as well, but not under little stress.
+        broken = np.zeros(len(mean))
+        if kind in ("load", "reload", "seat"):
+            broken = np.maximum(seen.max(axis=0) - np.abs(elastic), 0) * own * breakable
+        level = np.hypot(LEVEL[kind] * size, BROKEN_LEVEL * broken) * own
+        bedding = BEDDING * (1 - breakable) * size * (kind == "load")
+        shape = (
+            np.sqrt((SHAPE[kind] * size) ** 2 + (BROKEN_SHAPE * broken) ** 2 + bedding**2) * own
+        )
+        covariance += np.outer(level, level) + np.diag(shape**2)
+        before = float(seen[:, own].max(axis=0).sum())
+    for channel, spread in RATIO.items():
+        own = compared.where(channel=channel).astype(float)
+        level = RATIO_LEVEL[channel] * own
+        covariance += np.outer(level, level) + np.diag(spread**2 * own)
+    return Scatter(mean, elastic, covariance + _observed(compared, vectors))
+
+
+def _observed(compared: Layout, vectors: np.ndarray) -> np.ndarray:
+    """Variances between the seeds where they are no avalanches: all but first loading."""
+    if len(vectors) < 3:
+        return np.zeros((vectors.shape[1],) * 2)
+    middle = np.median(vectors, axis=0)
+    robust = 1.4826 * np.median(np.abs(vectors - middle), axis=0)
+    return np.diag(np.where(compared.where(kind="load"), 0.0, robust) ** 2)

@@ -1,0 +1,115 @@
+"""Simulated tests of a recording's protocol, made by the campaign layer and kept in its store."""
+
+import os
+import time
+from collections.abc import Callable, Iterable
+from contextlib import ExitStack
+from dataclasses import dataclass
+from pathlib import Path
+
+from distributed import Client
+
+from grus.campaign import Outcome, Run, Store, campaign, workers
+from grus.card import Card
+from grus.diagnosis.base import Base
+from grus.diagnosis.protocol import Protocol
+from grus.mechanisms import MECHANISMS
+from grus.record import Record
+
+Say = Callable[[str], None]
+TIME_LIMIT = 120.0
+"""Wall time of one run [s]: a specimen that collapses altogether takes much longer than any other, and says nothing."""
+
+
+@dataclass(frozen=True)
+class Test:
+    """One simulated test: ordinary parameters, seed, and the mechanisms that are on, each with its parameters."""
+
+    base: Base
+    seed: int
+    mechanisms: tuple[tuple[str, tuple[tuple[str, float], ...]], ...] = ()
+
+
+class Simulator:
+    """Runs tests of one card under one protocol.
+
+    card: the small model. folder: of the store. jobs: runs at a time. deadline: `time.monotonic()` after which no
+    run is begun, None for none. `outcomes` has all runs that have been asked for. A context manager: the workers of the
+    campaigns are kept until its end.
+    """
+
+    def __init__(
+        self,
+        card: Card,
+        protocol: Protocol,
+        folder: str | Path,
+        jobs: int | None = None,
+        deadline: float | None = None,
+        say: Say = lambda line: None,
+    ) -> None:
+        self.protocol, self.jobs, self.deadline, self.say = protocol, jobs, deadline, say
+        self.store = Store(folder)
+        # One platen, as in most laboratories: under wall friction the base then carries less than the top.
+        self.card = card.with_overrides(
+            {"oedometer.stages": list(protocol.stages), "oedometer.platens": "top"}
+        )
+        self.outcomes: dict[Test, Outcome] = {}
+        self._kept = ExitStack()
+        self._client: Client | None = None
+
+    def __enter__(self) -> "Simulator":
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self._kept.close()
+
+    def run(self, tests: Iterable[Test], what: str) -> dict[Test, Record]:
+        """Records of the tests that came to an end; `what` names them to the user.
+
+        An instrument that is part of the test's mechanism has written them. Those that failed, or were not begun
+        before the deadline, are left out.
+        """
+        tests = list(dict.fromkeys(tests))
+        runs = {
+            test: Run("oedometer", self._card(test), specimen_card=self._specimen_card(test.seed))
+            for test in tests
+        }
+        start = time.monotonic()
+        if self._client is None and any(self.store.find(r.key) is None for r in runs.values()):
+            jobs = self.jobs or len(os.sched_getaffinity(0))
+            self._client = self._kept.enter_context(workers(jobs, tell=self.say))
+        found = campaign(
+            list(runs.values()),
+            self.store,
+            jobs=self.jobs,
+            client=self._client,
+            time_limit=TIME_LIMIT,
+            deadline=self.deadline,
+            progress=lambda done, of: self.say(f"{what}: {done} of {of} runs"),
+            tell=self.say,
+        )
+        self.say(f"{what}: {len(runs)} runs, {time.monotonic() - start:.0f} s")
+        records = {}
+        for test, run in runs.items():
+            outcome = found.get(run.key)
+            if outcome is None:
+                continue
+            self.outcomes[test] = outcome
+            if outcome.failed is None:
+                records[test] = self._written(test, outcome.record)
+        return records
+
+    def _specimen_card(self, seed: int) -> Card:
+        """All tests of a seed have one packing, whatever is changed in them."""
+        return self.card.with_overrides({"seed": seed})
+
+    def _card(self, test: Test) -> Card:
+        card = test.base.apply(self.card, self.protocol.highest).with_overrides({"seed": test.seed})
+        for name, values in test.mechanisms:
+            card = MECHANISMS[name].apply(card, dict(values))
+        return card
+
+    def _written(self, test: Test, record: Record) -> Record:
+        for name, values in test.mechanisms:
+            record = MECHANISMS[name].distort(record, dict(values))
+        return record
