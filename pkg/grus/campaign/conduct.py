@@ -63,13 +63,19 @@ def campaign(
         until = None if deadline is None else time.time() + deadline - time.monotonic()
         limits = {"time_limit": time_limit, "memory_limit": memory_limit, "until": until}
         given = client and nullcontext(client)
-        with given or workers(min(jobs, len(missing)), scheduler, tell) as at:
-            for key, report in _reports(at, missing, store, limits, tell, scheduler):
-                if report.begun:
-                    found[key] = store.find(key, tell) or failure(
-                        _job(missing[key], store, limits), report
-                    )
-                count.one_more()
+        try:
+            with given or workers(min(jobs, len(missing)), scheduler, tell) as at:
+                for key, report in _reports(at, missing, store, limits, tell, scheduler):
+                    if report.begun:
+                        found[key] = store.find(key, tell) or failure(
+                            _job(missing[key], store, limits), report
+                        )
+                    count.one_more()
+        except OSError as error:
+            # Dask's own, of a connection that is gone, has no number; that of a full disk has.
+            if scheduler is None or error.errno is not None:
+                raise
+            raise _lost(scheduler) from None
     return {key: found[key] for key in wanted if key in found}
 
 
@@ -130,9 +136,13 @@ def _report(future: Future, scheduler: str | None) -> Report:
     except KilledWorker as error:
         return Report(failed=f"its workers died: {error}")
     except CancelledError:
-        raise GrusError(
-            f"scheduler = {scheduler!r}: lost; what is finished is in the store, start it again to go on"
-        ) from None
+        raise _lost(scheduler) from None
+
+
+def _lost(scheduler: str | None) -> GrusError:
+    return GrusError(
+        f"scheduler = {scheduler!r}: lost; what is finished is in the store, start it again to go on"
+    )
 
 
 def _job(run: Run, store: Store, limits: dict) -> Job:

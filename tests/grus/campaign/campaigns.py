@@ -16,13 +16,13 @@ from grus.card import Card
 
 HERE = Path(__file__).parent
 PLANE = HERE.parents[1] / "cards" / "plane.toml"
-SEEDS = 2
+SEEDS = 8
 WARM = "grus.campaign.warm"
 
 
 def disturbed_runs() -> list[Run]:
     """Crushing tests slow enough to be disturbed on their way."""
-    card = Card.from_file(PLANE).with_overrides({"crush.speed": "0.003 m/s"})
+    card = Card.from_file(PLANE).with_overrides({"crush.speed": "0.0002 m/s"})
     return [Run("crush", card.with_overrides({"seed": seed})) for seed in range(SEEDS)]
 
 
