@@ -1,6 +1,5 @@
 """`grus diagnose`: what physics a model leaves out, by a recording of a laboratory test."""
 
-from dataclasses import replace
 from pathlib import Path
 from typing import Optional
 
@@ -59,15 +58,9 @@ def diagnose(
             raise KeyboardInterrupt(
                 f"interrupted; finished runs are kept in {runs}, the same command goes on from there"
             ) from None
-    origin = {key: str(record.meta[name]) for key, name in ORIGIN.items()}
-    found = replace(found, **origin)
     files = write_report(found, out)["files"]
     Console().print(summary(found))
     print(f"\nresults in {out}: {', '.join(files)}")
-
-
-ORIGIN = {"recording_name": "source", "recording_hash": "sha256"}
-"""What a diagnosis says of its recording, by its name in the record."""
 
 
 def _stages(path: str) -> list[str]:

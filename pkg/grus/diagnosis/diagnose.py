@@ -1,6 +1,5 @@
 """From a recording and a model card to a verdict."""
 
-import hashlib
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -55,10 +54,7 @@ def diagnose(
     Raises GrusError when the recording or the card makes no sense, or the base cannot be simulated.
     """
     start = time.monotonic()
-    name, digest = "", ""
     if not isinstance(recording, Record):
-        name = Path(recording).name
-        digest = hashlib.sha256(Path(recording).read_bytes()).hexdigest()
         recording = read(recording)
     recording = replace(recording, segments=segments(recording, program))
     plan = protocol(recording)
@@ -100,8 +96,8 @@ def diagnose(
             )
     return Diagnosis(
         recording=recording,
-        recording_name=name,
-        recording_hash=digest,
+        recording_name=str(recording.meta.get("source", "")),
+        recording_hash=str(recording.meta.get("sha256", "")),
         card=card,
         small=small,
         protocol=plan,

@@ -3,6 +3,7 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
+from scipy.linalg import block_diag
 
 from grus.diagnosis.cells import Cells, cells
 from grus.diagnosis.protocol import Protocol
@@ -95,7 +96,7 @@ def layout(record: Record, program: Protocol) -> Layout:
             entries.append(Entry(part.stage, part.kind, name, part.knots[-2], part.knots[-1]))
             measured.append([value])
             variances.append(np.array([[variance]]))
-    noise = _blocks(variances)
+    noise = block_diag(*variances) if variances else np.zeros((0, 0))
     return Layout(
         program,
         tuple(parts),
@@ -149,12 +150,3 @@ def _read(simulated: Record, segment: Segment, at: np.ndarray, channel: str) -> 
         return np.interp(at, passed, values)
     passed = -np.minimum.accumulate(stress)
     return np.interp(-at, passed, values)
-
-
-def _blocks(parts: list[np.ndarray]) -> np.ndarray:
-    size = sum(len(p) for p in parts)
-    whole, at = np.zeros((size, size)), 0
-    for part in parts:
-        whole[at : at + len(part), at : at + len(part)] = part
-        at += len(part)
-    return whole

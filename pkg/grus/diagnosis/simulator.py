@@ -71,7 +71,7 @@ class Simulator:
         """
         tests = list(dict.fromkeys(tests))
         runs = {
-            test: Run("oedometer", self._card(test), specimen_card=self._specimen_card(test.seed))
+            test: Run("recording", self._card(test), specimen_card=self._specimen_card(test.seed))
             for test in tests
         }
         start = time.monotonic()
