@@ -3,7 +3,7 @@
 import logging
 import tempfile
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 import dask
@@ -56,8 +56,13 @@ def _local(jobs: int) -> Iterator[LocalCluster]:
                 local_directory=folder,
                 silence_logs=logging.CRITICAL,
             )
-        with cluster:
+        try:
             yield cluster
+        finally:
+            # On a machine that is very busy a worker may not end in the time that Dask allows; it is killed then, and
+            # what it had to tell has been told.
+            with suppress(TimeoutError):
+                cluster.close()
 
 
 def _page(client: Client) -> str:

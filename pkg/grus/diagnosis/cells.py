@@ -6,10 +6,12 @@ much. Knots are fitted to all readings of the stage, and to a simulation that wa
 matrix, so that fitting adds no difference.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from grus.diagnosis.jump import Jump, places
 from grus.record import Record, Segment
 
 RAMP_CELLS = 4
@@ -43,18 +45,25 @@ class Cells:
         return len(self.knots) - 1
 
 
-def cells(record: Record, segment: Segment, stage: int, lowest: float) -> Cells | None:
-    """Cells of a segment of a recording; None when it has too few readings above `lowest` [Pa]."""
+def cells(
+    record: Record, segment: Segment, stage: int, lowest: float, jump: Jump | None = None
+) -> Cells | None:
+    """Cells of a segment of a recording; None when it has too few readings above `lowest` [Pa].
+
+    jump: of strain in this hold, which is a cell of its own.
+    """
     rows = np.arange(segment.first, segment.last + 1)
     strain = record["axial_strain"][rows]
     rows = rows[np.isfinite(strain)]
     sigma = max(segment.noise.get("axial_strain", 0.0), FLOOR)
-    if segment.kind == "hold" and "time" in record.channels:
-        at = (record["time"][rows] - segment.t0) / (segment.t1 - segment.t0)
-        wanted = np.asarray(HOLD_TIMES)
-    elif segment.kind == "hold":
-        at = np.linspace(0.0, 1.0, len(rows))
-        wanted = np.array([0.0, 1.0])
+    ends: tuple[float, ...] = ()
+    if segment.kind == "hold":
+        at = places(record, segment, rows)
+        wanted = np.asarray(HOLD_TIMES if "time" in record.channels else (0.0, 1.0))
+        if jump is not None:
+            ends = (jump.before, jump.after)
+            outside = wanted[(wanted < jump.before) | (wanted > jump.after)]
+            wanted = np.unique([*outside, *ends])
     else:
         low, high = sorted((segment.stress_from, segment.stress_to))
         at = np.clip(record["axial_stress"][rows], low, high)
@@ -67,7 +76,7 @@ def cells(record: Record, segment: Segment, stage: int, lowest: float) -> Cells 
             wanted = wanted[::-1]
     if len(rows) < 2 or np.ptp(at) <= 0:
         return None
-    knots = _filled(wanted, at)
+    knots = _filled(wanted, at, ends)
     hats = _hats(at, knots)
     # A weak pull to straight lines, for cells whose readings lie at one end.
     bend = np.diff(np.eye(len(knots)), 2, axis=0) * 1e-3 if len(knots) > 2 else np.zeros((0, 2))
@@ -76,13 +85,14 @@ def cells(record: Record, segment: Segment, stage: int, lowest: float) -> Cells 
     return Cells(stage, segment.kind, rows, at, knots, changes, sigma**2 * changes @ changes.T)
 
 
-def _filled(wanted: np.ndarray, at: np.ndarray) -> np.ndarray:
-    """The knots between which there are readings enough, the first and the last among them."""
+def _filled(wanted: np.ndarray, at: np.ndarray, needed: Sequence[float]) -> np.ndarray:
+    """The knots between which there are readings enough, the first, the last and those needed among them."""
     kept = [wanted[0]]
     for knot in wanted[1:-1]:
+        following = min((one for one in needed if one > knot), default=wanted[-1])
         between = np.count_nonzero((at - kept[-1]) * (knot - at) >= 0)
-        after = np.count_nonzero((at - knot) * (wanted[-1] - at) >= 0)
-        if between >= FEWEST and after >= FEWEST:
+        after = np.count_nonzero((at - knot) * (following - at) >= 0)
+        if knot in needed or (between >= FEWEST and after >= FEWEST):
             kept.append(knot)
     return np.array([*kept, wanted[-1]])
 

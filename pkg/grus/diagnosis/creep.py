@@ -20,21 +20,28 @@ EXPONENT = 20.0
 """Of used-up life with stress; what comes out hardly depends on it above 10."""
 TIMES = (60.0, 600.0, 3600.0)
 """Times [s] from which on strain goes with the logarithm of time."""
-POWERS = (0.75, 1.5, 2.25)
+POWERS = (0.75, 1.5, 3.0, 6.0)
 """Exponents of creep with stress."""
-AMOUNTS = 11
-LEAST, MOST = 2e-3, 1.5
+AMOUNTS = 16
+LEAST, MOST = 2e-3, 60.0
 """Amounts of creep over the strain of first loading."""
-UNEVEN = 0.35
-"""Scatter of creep from cell to cell, as a share: delayed failures come in steps."""
+UNEVEN = 0.25
+"""Scatter of creep from cell to cell, as a share."""
+STEP = 0.03
+"""Share of the creep of all holds that comes in one step, by chance in one cell or in the next: delayed failures come in
+avalanches."""
 
 
 @dataclass(frozen=True)
 class Creep(Known):
-    """Bond ageing, with amounts of creep in all holds together, and courses with time and stress."""
+    """Bond ageing, with amounts of creep in all holds together, and courses with time and stress.
+
+    broken: strain of first loading that comes from breakage [-]; acoustic events go with it as with delayed strain.
+    """
 
     fingerprint: Fingerprint
     compared: Layout
+    broken: float = 0.0
 
     @property
     def cases(self) -> list[tuple[float, float, float]]:
@@ -51,11 +58,13 @@ class Creep(Known):
 
     def change(self, size: float) -> np.ndarray:
         amount, time, power = self.cases[int(size)]
-        return amount * course(self.compared, time, power)
+        return heard(self.compared, amount * course(self.compared, time, power), self.broken)
 
     def effect(self, size: float) -> tuple[np.ndarray, np.ndarray]:
         change = self.change(size)
-        return change, looseness(self.compared, change, shape=UNEVEN)
+        strain = self.compared.where(channel="strain")
+        steps = np.where(strain, STEP * self.cases[int(size)][0] * change, 0.0)
+        return change, looseness(self.compared, change, shape=UNEVEN) + np.diag(steps)
 
     def levels(self, size: float) -> np.ndarray:
         return stage_levels(self.compared, self.change(size))
@@ -77,6 +86,20 @@ class Creep(Known):
         ran = np.maximum(self.fingerprint.changes[:, holds].sum(axis=1), 1e-7)
         ran = np.maximum.accumulate(ran * (1 + 1e-9 * np.arange(len(ran))))
         return ran, np.array(self.fingerprint.sizes)
+
+
+def heard(compared: Layout, change: np.ndarray, broken: float) -> np.ndarray:
+    """The change (n,) of strain in holds with the share of acoustic events that goes with it.
+
+    broken: strain of first loading that comes from breakage and is heard as well [-].
+    """
+    result = change.copy()
+    strain = compared.where(channel="strain")
+    whole = change[strain].sum() + max(broken, 0.0)
+    for entry in np.flatnonzero(compared.where(channel="events")):
+        own = strain & compared.where(stage=compared.entries[entry].stage)
+        result[entry] = change[own].sum() / max(whole, 1e-12)
+    return result
 
 
 def course(compared: Layout, time: float, power: float) -> np.ndarray:

@@ -9,6 +9,7 @@ import numpy as np
 
 from grus.card import Card
 from grus.diagnosis.calibration import calibrate
+from grus.diagnosis.collapse import Collapse
 from grus.diagnosis.creep import Creep
 from grus.diagnosis.diagnosis import Diagnosis
 from grus.diagnosis.estimate import culprits
@@ -57,7 +58,7 @@ def diagnose(
     if not isinstance(recording, Record):
         recording = read(recording)
     recording = replace(recording, segments=segments(recording, program))
-    plan = protocol(recording)
+    plan = protocol(recording, program)
     small = small_model(card)
     deadline = None if budget is None else start + budget
     seeds = tuple(1000 * seed + k for k in range(2 * SEEDS))
@@ -65,13 +66,14 @@ def diagnose(
     with Simulator(small, plan, store, jobs, deadline, say) as simulator:
         calibration = calibrate(layout(recording, plan), simulator, seeds)
         compared = calibration.compared
-        wanted = directions(recording, plan)
+        wanted = directions(plan)
         made = library(compared, simulator, calibration.base, seeds, wanted, recording)
         suspected = suspects(compared, made)
         difference = compared.measured - made.scatter.mean
         covariance = made.covariance + compared.noise
         found = explanations(difference, covariance, suspected, TEMPER)
-        decision = decide(found, not made.skipped)
+        rest = _rest(difference, covariance, found, suspected)
+        decision = decide(found, not made.skipped, rest.smallest)
         stiffness = calibration.stiffness
         named = culprits(decision.named, decision.probability, found, suspected, stiffness)
         if decision.kind == "named":
@@ -82,7 +84,6 @@ def diagnose(
                 calibration.base,
                 seeds,
                 named,
-                {d.mechanism.name: d.fixed for d in wanted},
                 best,
                 suspected,
                 stiffness,
@@ -107,7 +108,7 @@ def diagnose(
         explanations=tuple(found),
         decision=decision,
         culprits=tuple(named),
-        whiteness=_rest(difference, covariance, found, suspected),
+        whiteness=rest,
         improvement=improvement,
         next_measurement=telling,
         seed=seed,
@@ -134,15 +135,21 @@ def _missing(made: Library) -> str:
 def suspects(compared: Layout, made: Library) -> list[Suspect]:
     """All that may have been left out, known or not."""
     typical = np.abs([made.scatter.mean, compared.measured]).max(axis=0)
-    ratios = (~compared.where(channel="strain")).any()
+    ratios = bool(compared.ratios)
+    loads = compared.where(channel="strain", kind="load")
+    broken = float((compared.measured - made.scatter.elastic)[loads].sum())
     return [
-        *(_known(one, compared) for one in made.fingerprints),
+        *(_known(one, compared, broken) for one in made.fingerprints),
         *(Unknown(where, compared, typical) for where in UNKNOWN if where != "ratio" or ratios),
     ]
 
 
-def _known(one: Fingerprint, compared: Layout) -> Known:
-    return (Creep if one.mechanism.name == "bond_ageing" else Known)(one, compared)
+def _known(one: Fingerprint, compared: Layout, broken: float) -> Known:
+    if one.mechanism.name == "bond_ageing":
+        return Creep(one, compared, broken)
+    if one.mechanism.name == "wetting_collapse":
+        return Collapse(one, compared, broken)
+    return Known(one, compared)
 
 
 def _rest(difference, covariance, found, suspected):

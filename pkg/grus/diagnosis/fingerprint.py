@@ -88,7 +88,7 @@ def fingerprint(
     changes, errors = [], []
     for of_size in pairs:
         differences = np.array([on - off for on, off in of_size])
-        holds = compared.where(kind="hold", channel="strain")
+        holds = compared.where(kind="hold")
         # Breakage makes first loading heavy-tailed; in holds the mean counts, for creep comes in few large steps.
         mean = np.where(holds, differences.mean(0), np.median(differences, 0))
         spread = differences.std(0, ddof=1) if len(differences) > 1 else np.abs(mean)

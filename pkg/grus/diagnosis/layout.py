@@ -15,13 +15,18 @@ LOWEST = 0.03
 """Stress over the highest below which nothing is compared: there a simulation is not at rest, nor a real test."""
 END = 0.3
 """Share of a stage's readings that count as its end."""
+FEWEST_EVENTS = 10
+"""Acoustic events of a test from which they are compared."""
+STRAY = 0.01
+"""Standard deviation of a hold's share of them that stems from anything but breakage."""
 
 
 @dataclass(frozen=True)
 class Entry:
-    """One number: the change of strain over a cell, or a ratio of stresses at the end of a stage.
+    """One number: the change of strain over a cell, a ratio of stresses at the end of a stage, or the share of all
+    acoustic events that a hold has.
 
-    stage: number in the protocol. kind: of the stage. channel: "strain", "base" or "lateral". start, end: of the cell,
+    stage: number in the protocol. kind: of the stage. channel: "strain", "base", "lateral" or "events". start, end: of the cell,
     stress [Pa] or share of the time of a hold.
     """
 
@@ -34,11 +39,14 @@ class Entry:
 
 @dataclass(frozen=True)
 class Layout:
-    """entries: of the vectors (n,). measured: of the recording (n,). noise: covariance of its readings (n, n)."""
+    """parts: cells of each stage. ratios: channel, stage and places of the readings of each ratio of stresses. events:
+    stages whose acoustic events are compared. entries: of the vectors (n,). measured: of the recording (n,). noise: covariance of its readings (n, n).
+    """
 
     protocol: Protocol
     parts: tuple[Cells, ...]
     ratios: tuple[tuple[str, int, np.ndarray], ...]
+    events: tuple[int, ...]
     entries: tuple[Entry, ...]
     measured: np.ndarray
     noise: np.ndarray
@@ -55,6 +63,7 @@ class Layout:
             top = _read(simulated, stages[stage], at, "axial_stress")
             other = _read(simulated, stages[stage], at, channel)
             values.append([np.mean(np.log(np.maximum(other, 1e-3 * top) / top))])
+        values += [[_events(simulated, stages[stage])] for stage in self.events]
         return np.concatenate(values)
 
     def stiffened(self, factor: float) -> "Layout":
@@ -75,7 +84,9 @@ def layout(record: Record, program: Protocol) -> Layout:
     """Of a recording that has been cut into segments."""
     parts, ratios, entries, measured, variances = [], [], [], [], []
     for stage, segment in enumerate(program.segments):
-        part = cells(record, segment, stage, max(program.seating, LOWEST * program.highest))
+        lowest = max(program.seating, LOWEST * program.highest)
+        jump = program.jump if program.jump and program.jump.stage == stage else None
+        part = cells(record, segment, stage, lowest, jump)
         if part is None:
             continue
         parts.append(part)
@@ -96,11 +107,19 @@ def layout(record: Record, program: Protocol) -> Layout:
             entries.append(Entry(part.stage, part.kind, name, part.knots[-2], part.knots[-1]))
             measured.append([value])
             variances.append(np.array([[variance]]))
+    heard = _heard(record, parts)
+    for part in heard:
+        share, number = _events(record, program.segments[part.stage]), _number(record)
+        entries.append(Entry(part.stage, part.kind, "events", part.knots[0], part.knots[-1]))
+        measured.append([share])
+        # Counts, of which one more or less is chance.
+        variances.append(np.array([[(share * number + 1) / number**2 + STRAY**2]]))
     noise = block_diag(*variances) if variances else np.zeros((0, 0))
     return Layout(
         program,
         tuple(parts),
         tuple(ratios),
+        tuple(part.stage for part in heard),
         tuple(entries),
         np.concatenate(measured) if measured else np.zeros(0),
         noise,
@@ -122,6 +141,23 @@ def simulated_stages(simulated: Record, lead: int = 0) -> dict[int, Segment]:
             part, first=first.first, t0=first.t0, stress_from=first.stress_from
         )
     return result
+
+
+def _heard(record: Record, parts: list[Cells]) -> list[Cells]:
+    """Holds whose acoustic events are compared."""
+    if "ae_events" not in record.channels or _number(record) < FEWEST_EVENTS:
+        return []
+    return [part for part in parts if part.kind == "hold"]
+
+
+def _number(record: Record) -> float:
+    return float(np.nanmax(record["ae_events"]) - np.nanmin(record["ae_events"]))
+
+
+def _events(record: Record, segment: Segment) -> float:
+    """Share of all acoustic events that a stage has; a simulation has one for each bond that breaks."""
+    within = record["ae_events"][segment.first : segment.last + 1]
+    return float(np.nanmax(within) - np.nanmin(within)) / max(_number(record), 1.0)
 
 
 def _ratio(record: Record, part: Cells, channel: str) -> tuple[np.ndarray, float, float] | None:

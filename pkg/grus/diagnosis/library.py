@@ -8,7 +8,7 @@ import numpy as np
 from grus.diagnosis.base import Base
 from grus.diagnosis.fingerprint import Fingerprint, fingerprint
 from grus.diagnosis.layout import RATIOS, Layout, layout
-from grus.diagnosis.plan import FRICTION, PAIRED, SEEDS, Direction
+from grus.diagnosis.plan import FRICTION, PAIRED, SEEDS, WHOLE, Direction
 from grus.diagnosis.scatter import Scatter, scatter
 from grus.diagnosis.simulator import Simulator, Test
 from grus.errors import GrusError
@@ -51,21 +51,22 @@ def library(
     """Makes the runs that are missing. Raises GrusError when the base itself cannot be simulated."""
     unrecorded = _unrecorded(recording, measured)
     plain = simulator.run([Test(base, seed) for seed in seeds[:SEEDS]], "base")
-    few = [test.seed for test in plain][: max(PAIRED.values())]
-    elastic = simulator.run([Test(base.unbreakable(), seed) for seed in few], "without breakage")
+    few = [test.seed for test in plain][:PAIRED]
+    whole = base.unbreakable()
+    elastic = simulator.run([Test(whole, seed) for seed in few], "without breakage")
     if len(plain) < 2 or not elastic:
         raise GrusError(_failure(simulator))
+    without = plain | elastic
     off = {test.seed: measured.of(record) for test, record in plain.items()}
     scattered = scatter(
         measured,
         np.array(list(off.values())),
         np.median([measured.of(record) for record in elastic.values()], axis=0),
     )
-    nuisances = _nuisances(measured, simulator, base, off, few)
+    nuisances = _nuisances(measured, simulator, base, without, few)
     tests = {
         (d, size): [
-            Test(base, seed, ((d.mechanism.name, d.values(size)),))
-            for seed in few[: PAIRED[d.mechanism.acts_on]]
+            Test(_paired(base, d), seed, ((d.mechanism.name, d.values(size)),)) for seed in few
         ]
         for d in wanted
         for size in d.sizes
@@ -84,17 +85,19 @@ def library(
         pairs, sizes = [], []
         for size in d.sizes:
             if d.free:
-                written = {
-                    test.seed: d.mechanism.distort(record, dict(d.values(size)))
+                written = [
+                    (d.mechanism.distort(record, dict(d.values(size))), record)
                     for test, record in plain.items()
                     if test.seed in few
-                }
+                ]
             else:
-                written = {test.seed: on[test] for test in tests[d, size] if test in on}
+                written = [
+                    (on[test], without[replace(test, mechanisms=())])
+                    for test in tests[d, size]
+                    if test in on and replace(test, mechanisms=()) in without
+                ]
             if written:
-                pairs.append(
-                    [(record, plain[Test(base, seed)]) for seed, record in written.items()]
-                )
+                pairs.append(written)
                 sizes.append(size)
         if not pairs:
             skipped[d.mechanism.name] = "no run came to an end"
@@ -117,26 +120,35 @@ def _unrecorded(recording: Record, measured: Layout) -> Layout:
     return layout(replace(recording, channels=channels, units=units), measured.protocol)
 
 
+def _paired(base: Base, direction: Direction) -> Base:
+    return base.unbreakable() if direction.mechanism.name in WHOLE else base
+
+
 def _nuisances(
     measured: Layout,
     simulator: Simulator,
     base: Base,
-    off: dict[int, np.ndarray],
+    without: dict[Test, Record],
     seeds: Sequence[int],
 ) -> np.ndarray:
-    changed = {"friction": (replace(base, friction=FRICTION), np.log(FRICTION))}
+    whole = base.unbreakable()
+    changed = {"friction": (whole, replace(whole, friction=FRICTION), np.log(FRICTION))}
     if base.strength is not None:
         # Towards the stronger: weaker specimens may collapse.
-        changed["strength"] = (replace(base, strength=base.strength + 1), 1.0)
-    tests = {name: [Test(other, seed) for seed in seeds] for name, (other, _) in changed.items()}
+        changed["strength"] = (base, replace(base, strength=base.strength + 1), 1.0)
+    tests = {name: [Test(on, seed) for seed in seeds] for name, (_, on, _) in changed.items()}
     records = simulator.run([t for of in tests.values() for t in of], "ordinary parameters")
-    middle = np.median(list(off.values()), axis=0)
+    middle = np.median([measured.of(r) for t, r in without.items() if t.base == base], axis=0)
     # Strain goes as 1/stiffness.
     rows = [SPREAD["stiffness"] * np.where(measured.where(channel="strain"), middle, 0.0)]
-    for name, of in tests.items():
-        differences = [measured.of(records[t]) - off[t.seed] for t in of if t in records]
+    for name, (off, _, size) in changed.items():
+        differences = [
+            measured.of(records[t]) - measured.of(without[Test(off, t.seed)])
+            for t in tests[name]
+            if t in records and Test(off, t.seed) in without
+        ]
         if differences:
-            rows.append(np.median(differences, axis=0) * SPREAD[name] / changed[name][1])
+            rows.append(np.median(differences, axis=0) * SPREAD[name] / size)
     return np.array(rows)
 
 

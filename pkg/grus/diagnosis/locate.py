@@ -12,7 +12,7 @@ from grus.diagnosis.layout import Layout
 @dataclass(frozen=True)
 class StageMisfit:
     """stage: number in the recording. kind: what was done. t0, t1: time [s], None without. stress_from, stress_to [Pa].
-    channel: "strain", "base" or "lateral". chi2: squared difference from the base over what noise and scatter explain.
+    channel: "strain", "base", "lateral" or "events". chi2: squared difference from the base over what noise and scatter explain.
     numbers: how many are compared; as much is expected. share: of the misfit of all stages beyond what is expected.
     """
 
@@ -34,7 +34,7 @@ class StageMisfit:
 def misfit(compared: Layout, difference: np.ndarray, covariance: np.ndarray) -> list[StageMisfit]:
     """Of a recording less the base (n,), with the covariance of this (n, n)."""
     found = []
-    for channel in ("strain", "base", "lateral"):
+    for channel in ("strain", "base", "lateral", "events"):
         for number, segment in enumerate(compared.protocol.segments):
             own = compared.where(stage=number, channel=channel)
             if own.any():

@@ -4,12 +4,14 @@ from dataclasses import dataclass
 
 from grus.diagnosis.protocol import Protocol
 from grus.mechanisms import MECHANISMS, Mechanism, Parameter
-from grus.record import Record
 
 SEEDS = 5
 """Specimens of the base, whose scatter counts."""
-PAIRED = {"bond": 3, "contact": 2, "test": 2, "instrument": 3}
-"""Specimens of each fingerprint, by what the mechanism acts on."""
+PAIRED = 3
+"""Specimens of each fingerprint."""
+WHOLE = ("wall_friction", "hertzian_contact", "contact_plasticity", "rolling_resistance")
+"""Mechanisms whose fingerprint is taken where no bond breaks: whatever changes a force a little sets off other avalanches,
+and of what that changes nothing is the mechanism's own. Such runs serve bonds of any strength."""
 FRICTION = 1.25
 """Factor on friction at which its fingerprint is taken."""
 INSTRUMENT = ("platen_compliance", "instrument_drift")
@@ -20,30 +22,27 @@ INSTRUMENT = ("platen_compliance", "instrument_drift")
 class Direction:
     """One parameter of a mechanism that is changed from no effect to the sizes given, weak to strong.
 
-    signs: of the effects that are looked for. fixed: values of other parameters. free: whether no run is needed, since
-    the effect is one of the instrument.
+    signs: of the effects that are looked for. free: whether no run is needed, since the effect is one of the instrument.
     """
 
     mechanism: Mechanism
     parameter: Parameter
     sizes: tuple[float, ...]
     signs: tuple[int, ...] = (1,)
-    fixed: tuple[tuple[str, float], ...] = ()
     free: bool = False
 
     def values(self, size: float) -> tuple[tuple[str, float], ...]:
         """Of the mechanism's parameters at a size."""
-        return (*self.fixed, (self.parameter.name, size))
+        return ((self.parameter.name, size),)
 
 
-def directions(record: Record, program: Protocol) -> list[Direction]:
+def directions(program: Protocol) -> list[Direction]:
     """All that can be looked for in a recording."""
     result = []
     for mechanism in MECHANISMS.values():
-        if not shows(mechanism, record, program):
+        if not shows(mechanism, program):
             continue
         free = mechanism.name in INSTRUMENT
-        fixed = _fixed(mechanism, record, program)
         for parameter in mechanism.parameters if free else mechanism.parameters[:1]:
             sizes = tuple(size for size in parameter.sizes if size != parameter.off)
             # A parameter without an off value only shapes the effect of another.
@@ -52,26 +51,14 @@ def directions(record: Record, program: Protocol) -> list[Direction]:
             # What needs no run takes all sizes; the strongest may crush all that there is.
             kept = sizes if free else sizes[:2]
             signs = (1, -1) if parameter.low < 0 < parameter.high else (1,)
-            result.append(Direction(mechanism, parameter, kept, signs, fixed, free))
+            result.append(Direction(mechanism, parameter, kept, signs, free))
     return result
 
 
-def shows(mechanism: Mechanism, record: Record, program: Protocol) -> bool:
+def shows(mechanism: Mechanism, program: Protocol) -> bool:
     """Whether a test of this kind could show the mechanism at all."""
     if mechanism.name == "instrument_drift":
         return program.timed
     if mechanism.name == "wetting_collapse":
-        return any(s.kind == "event" for s in record.segments)
+        return program.jump is not None
     return True
-
-
-def _fixed(
-    mechanism: Mechanism, record: Record, program: Protocol
-) -> tuple[tuple[str, float], ...]:
-    """Parameters that the recording gives: when the largest jump at constant stress came."""
-    if mechanism.name != "wetting_collapse" or not program.timed:
-        return ()
-    strain = record["axial_strain"]
-    jumps = [s for s in record.segments if s.kind == "event"]
-    largest = max(jumps, key=lambda s: abs(strain[s.last] - strain[s.first]))
-    return (("time", max(largest.t1 - program.segments[0].t0, 1.0)),)

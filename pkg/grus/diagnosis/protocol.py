@@ -1,39 +1,48 @@
 """What was done to the specimen of a recording, as stages that a card can state."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from grus.diagnosis.jump import Jump, largest_jump
 from grus.errors import GrusError
 from grus.record import Record, Segment
+from grus.recording import read_program
 
 LEAST_MOVE = 0.03
 """Changes of stress below this share of the highest stress are no stage of their own."""
 LOWEST = 0.01
 """Stresses below this share of the highest are simulated at it: a servo cannot hold next to nothing."""
-UNKNOWN_HOLD = 24 * 3600.0
-"""Length of a hold [s] when the recording has no times."""
+UNKNOWN_HOLD, UNKNOWN_LOAD = 24 * 3600.0, 3600.0
+"""Length of a hold and of a change of stress [s] when the recording has no times."""
+SAME = 0.06
+"""Difference of two stresses, as a share, at which they are taken for one that is reached again."""
+LOADS_A_DECADE, HOLDS_A_DECADE = 3, 10
+"""Steps of duration: what ages goes with the logarithm of time, and tests of like programs share their runs."""
+ANY = 3600.0
+"""Length of all stages [s] where the laboratory clock does not matter."""
 
 
 @dataclass(frozen=True)
 class Protocol:
     """Stages of a card, and for each the segment of the recording that it follows.
 
-    stages: in the words of a card, stresses and times rounded. lead: number of stages that come before those of the
+    stages: in the words of a card, stresses and times rounded. timeless: the same with one duration for all, for
+    models in which the laboratory clock changes nothing. lead: number of stages that come before those of the
     recording, 1 when it begins under load. segments: of the recording, one for each further stage. timed: whether the
-    recording has times. seating: axial stress [Pa] at which the recording begins, as it can be simulated.
+    recording has times. seating: axial stress [Pa] at which the recording begins, as it can be simulated. highest: axial stress [Pa]
+    of the stages. jump: the largest jump of strain at constant stress, if there is one.
     """
 
     stages: tuple[str, ...]
+    timeless: tuple[str, ...]
     segments: tuple[Segment, ...]
     timed: bool
     seating: float
+    highest: float
     lead: int = 0
-
-    @property
-    def highest(self) -> float:
-        """Highest axial stress [Pa]."""
-        return max(s.stress_to for s in self.segments)
+    jump: Jump | None = None
 
     @property
     def hours(self) -> float:
@@ -41,8 +50,8 @@ class Protocol:
         return (self.segments[-1].t1 - self.segments[0].t0) / 3600 if self.timed else 0.0
 
 
-def protocol(record: Record) -> Protocol:
-    """The stages of a record that has been cut into segments.
+def protocol(record: Record, program: Sequence[str] | None = None) -> Protocol:
+    """The stages of a record that has been cut into segments, by its program where that is known.
 
     Raises GrusError when nothing is loaded in it.
     """
@@ -52,39 +61,72 @@ def protocol(record: Record) -> Protocol:
         raise GrusError("recording: the stress never rises; allowed: a test under load")
     lowest = LOWEST * highest
     timed = "time" in record.channels
-    stages, followed = [], []
+    stated = {} if program is None else _stated(program)
+    stages: list[tuple[str, float]] = []
+    followed: list[Segment] = []
     under_load = parts[0].kind == "hold" and parts[0].stress_from > 2 * LEAST_MOVE * highest
     level = seating = max(min(parts[0].stress_from, 0.5 * highest), lowest)
+    levels: list[float] = []
     if under_load:
-        level = parts[0].stress_from
-        stages.append(f"load to {_nice(level):g} Pa")
+        level = _nice(parts[0].stress_from)
+        levels.append(level)
+        stages.append((f"load to {level:g} Pa", UNKNOWN_LOAD))
     for part in parts:
         target = max(part.stress_to, lowest)
         if abs(target - level) > LEAST_MOVE * highest:
             kind = "load" if target > level else "unload"
-            lasting = f" in {_round(part.t1 - part.t0):g} s" if timed and part.t1 > part.t0 else ""
-            stages.append(f"{kind} to {_nice(target):g} Pa{lasting}")
+            goal = _again(stated.get(part.stage, target), target, levels)
+            seconds = part.t1 - part.t0 if timed and part.t1 > part.t0 else UNKNOWN_LOAD
+            stages.append((f"{kind} to {goal:g} Pa", _round(seconds, LOADS_A_DECADE)))
             level = target
+            levels.append(goal)
         elif part.kind == "hold" and stages:
             seconds = part.t1 - part.t0 if timed else UNKNOWN_HOLD
             if seconds <= 0:
                 continue
-            stages.append(f"hold for {_round(seconds):g} s")
+            stages.append(("hold", _round(seconds, HOLDS_A_DECADE)))
         else:
             continue
         followed.append(part)
-    if not followed or not stages[0].startswith("load"):
+    if not followed or not stages[0][0].startswith("load"):
         raise GrusError("recording: the stress never rises; allowed: a test under load")
-    return Protocol(tuple(stages), tuple(followed), timed, seating, int(under_load))
+    return Protocol(
+        tuple(_worded(what, seconds) for what, seconds in stages),
+        tuple(_worded(what, ANY) for what, _ in stages),
+        tuple(followed),
+        timed,
+        seating,
+        max(levels),
+        int(under_load),
+        largest_jump(record, followed),
+    )
 
 
-def _round(seconds: float) -> float:
-    """To ten steps a decade: ageing goes with the logarithm of time, and tests of like programs share their runs."""
-    return float(f"{10 ** (round(10 * np.log10(seconds)) / 10):.3g}")
+def _worded(what: str, seconds: float) -> str:
+    return f"{what} {'for' if what == 'hold' else 'in'} {seconds:g} s"
+
+
+def _stated(program: Sequence[str]) -> dict[int, float]:
+    """Stresses [Pa] that the program states, by the number of the stage."""
+    stages = read_program(program)
+    return {n: float(s.stress) for n, s in enumerate(stages, start=1) if s.stress is not None}
+
+
+def _again(stated: float, reached: float, before: Sequence[float]) -> float:
+    """The stress that the program states, if it was reached; one that was reached before; or the one that was reached, rounded."""
+    if stated != reached and abs(stated - reached) <= SAME * stated:
+        return stated
+    near = [one for one in before if abs(one - reached) <= SAME * reached]
+    return near[-1] if near else _nice(reached)
+
+
+def _round(seconds: float, steps: int) -> float:
+    """To so many steps a decade."""
+    return float(f"{10 ** (round(steps * np.log10(seconds)) / steps):.3g}")
 
 
 def _nice(stress: float) -> float:
-    """To about one per cent, so that the noise of a recording makes no other program."""
+    """To about two per cent, so that the noise of a recording makes no other program."""
     digit = 10 ** np.floor(np.log10(stress))
-    step = 0.05 if stress < 5 * digit else 0.1
+    step = next(step for below, step in ((2, 0.05), (5, 0.1), (10, 0.25)) if stress < below * digit)
     return float(f"{round(stress / digit / step) * step * digit:.3g}")

@@ -45,15 +45,13 @@ def put_back(
     base: Base,
     seeds: Sequence[int],
     named: Sequence[Culprit],
-    fixed: dict[str, tuple[tuple[str, float], ...]],
     best: Explanation,
     suspects: Sequence[Suspect],
     stiffness: float,
 ) -> PutBack | None:
     """Runs the model with the mechanisms on, on a few specimens; None when no run came to an end.
 
-    fixed: parameters of mechanisms that the recording gives. best: the explanation, whose effect is aimed at. stiffness: of
-    the calibration, by which strains are multiplied.
+    best: the explanation, whose effect is aimed at. stiffness: of the calibration, by which strains are multiplied.
     """
     by_name = {s.name: s for s in suspects}
     members = [by_name[name] for name in best.names]
@@ -64,7 +62,7 @@ def put_back(
     tried: list[PutBack] = []
     points = _points(ran[0], compared, wanted) if len(ran) == 1 else []
     for _ in range(TRIALS if len(ran) == 1 else 1):
-        found = _run(compared, simulator, base, seeds, culprits, fixed, stiffness)
+        found = _run(compared, simulator, base, seeds, culprits, stiffness)
         if found is None:
             break
         raw, error, count = found
@@ -86,10 +84,9 @@ def _run(
     base: Base,
     seeds: Sequence[int],
     culprits: Sequence[Culprit],
-    fixed: dict[str, tuple[tuple[str, float], ...]],
     stiffness: float,
 ) -> tuple[np.ndarray, np.ndarray, int] | None:
-    on = tuple((c.name, fixed.get(c.name, ()) + _simulated(c, stiffness)) for c in culprits)
+    on = tuple((c.name, _simulated(c, stiffness)) for c in culprits)
     pairs = [(Test(base, seed, on), Test(base, seed)) for seed in seeds[:RUNS]]
     records = simulator.run([test for pair in pairs for test in pair], "put back")
     changes = [

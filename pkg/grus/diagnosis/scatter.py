@@ -11,21 +11,24 @@ import numpy as np
 
 from grus.diagnosis.layout import Layout
 
-LEVEL = {"load": 0.15, "seat": 0.4, "unload": 0.12, "reload": 0.15}
+LEVEL = {"load": 0.08, "seat": 0.4, "unload": 0.08, "reload": 0.08}
 """Standard deviation of the level of a stage where nothing breaks, as a share."""
-SHAPE = {"load": 0.08, "seat": 0.3, "unload": 0.06, "reload": 0.08}
+SHAPE = {"load": 0.13, "seat": 0.3, "unload": 0.13, "reload": 0.11}
 """From cell to cell."""
-BROKEN_LEVEL, BROKEN_SHAPE = 0.8, 0.6
+BROKEN_LEVEL, BROKEN_SHAPE = 1.0, 0.3
 """The same of the strain that comes from breakage."""
-BEDDING = 0.35
+BEDDING = 0.3
 """Scatter from cell to cell of first loading under little stress, as a share: how grains bed down on each other."""
 CALM = (0.15, 0.4)
 """Stresses over the highest of the test below which no bond breaks, and above which any may."""
 SETTLING = (0.03, 0.004)
 """Strain in the first and in the further cells of a hold, over that of the stage before: rest is never perfect."""
-RATIO = {"base": 0.01, "lateral": 0.05}
-RATIO_LEVEL = {"base": 0.01, "lateral": 0.2}
-"""Standard deviation of the logarithm of a ratio of stresses: of one stage, and of all together."""
+RATIO = {"base": 0.01, "lateral": 0.4}
+RATIO_LEVEL = {"base": 0.01, "lateral": 0.8}
+"""Standard deviation of the logarithm of a ratio of stresses: of one stage, and of all together. Lateral stress depends
+on the packing more than on anything that is looked for."""
+MOVING = 0.04
+"""The same, added while the stress changes: what is at the base lags behind the top."""
 
 
 @dataclass(frozen=True)
@@ -39,6 +42,7 @@ class Scatter:
 
 def scatter(compared: Layout, vectors: np.ndarray, elastic: np.ndarray) -> Scatter:
     """From the vectors of the seeds (s, n) and the mean of such without breakage (n,)."""
+    vectors = _alike(compared, vectors)
     mean = np.median(vectors, axis=0)
     seen = np.abs(np.array([mean, compared.measured]))
     size = np.abs(mean)
@@ -70,8 +74,19 @@ def scatter(compared: Layout, vectors: np.ndarray, elastic: np.ndarray) -> Scatt
     for channel, spread in RATIO.items():
         own = compared.where(channel=channel).astype(float)
         level = RATIO_LEVEL[channel] * own
-        covariance += np.outer(level, level) + np.diag(spread**2 * own)
+        moving = own * ~compared.where(kind="hold")
+        covariance += np.outer(level, level) + np.diag(spread**2 * own + MOVING**2 * moving)
     return Scatter(mean, elastic, covariance + _observed(compared, vectors))
+
+
+def _alike(compared: Layout, vectors: np.ndarray) -> np.ndarray:
+    """The vectors (s, n) with strains scaled to one stiffness of unloading and reloading, which calibration would do."""
+    strain = compared.where(channel="strain")
+    loops = strain & (compared.where(kind="unload") | compared.where(kind="reload"))
+    sizes = np.abs(vectors[:, loops]).sum(axis=1)
+    if not loops.any() or not (sizes > 0).all():
+        return vectors
+    return np.where(strain, vectors * (np.median(sizes) / sizes)[:, None], vectors)
 
 
 def _observed(compared: Layout, vectors: np.ndarray) -> np.ndarray:

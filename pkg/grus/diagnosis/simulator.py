@@ -4,14 +4,16 @@ import os
 import time
 from collections.abc import Callable, Iterable
 from contextlib import ExitStack
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
+import numpy as np
 from distributed import Client
 
 from grus.campaign import Outcome, Run, Store, campaign, workers
 from grus.card import Card
 from grus.diagnosis.base import Base
+from grus.diagnosis.layout import simulated_stages
 from grus.diagnosis.protocol import Protocol
 from grus.mechanisms import MECHANISMS
 from grus.record import Record
@@ -19,6 +21,9 @@ from grus.record import Record
 Say = Callable[[str], None]
 TIME_LIMIT = 120.0
 """Wall time of one run [s]: a specimen that collapses altogether takes much longer than any other, and says nothing."""
+CLOCKED = "bond_ageing"
+"""Mechanism for which the laboratory clock matters. All other tests of the same stresses share their runs."""
+WETTED = "wetting_collapse"
 
 
 @dataclass(frozen=True)
@@ -51,7 +56,7 @@ class Simulator:
         self.store = Store(folder)
         # One platen, as in most laboratories: under wall friction the base then carries less than the top.
         self.card = card.with_overrides(
-            {"oedometer.stages": list(protocol.stages), "oedometer.platens": "top"}
+            {"oedometer.stages": list(protocol.timeless), "oedometer.platens": "top"}
         )
         self.outcomes: dict[Test, Outcome] = {}
         self._kept = ExitStack()
@@ -105,11 +110,47 @@ class Simulator:
 
     def _card(self, test: Test) -> Card:
         card = test.base.apply(self.card, self.protocol.highest).with_overrides({"seed": test.seed})
+        if CLOCKED in dict(test.mechanisms):
+            card = card.with_overrides({"oedometer.stages": list(self.protocol.stages)})
         for name, values in test.mechanisms:
-            card = MECHANISMS[name].apply(card, dict(values))
+            more = {"time": self._wetting_time(card)} if name == WETTED else {}
+            card = MECHANISMS[name].apply(card, more | dict(values))
         return card
 
+    def _wetting_time(self, card: Card) -> float:
+        """In the middle of the hold in which strain jumps [s]."""
+        number = self.protocol.lead + self.protocol.jump.stage
+        durations = [float(stage.duration) for stage in card.oedometer.stages]
+        return sum(durations[:number]) + durations[number] / 2
+
     def _written(self, test: Test, record: Record) -> Record:
+        record = retimed(record, self.protocol, WETTED in dict(test.mechanisms))
         for name, values in test.mechanisms:
             record = MECHANISMS[name].distort(record, dict(values))
         return record
+
+
+def retimed(simulated: Record, program: Protocol, wetted: bool) -> Record:
+    """A simulated test with the times of the recording at the ends of its stages, linear between.
+
+    wetted: whether it was in the middle of the hold in which the strain of the recording jumps; it then has the time of
+    the jump.
+    """
+    own, times = [], []
+    for number, part in sorted(simulated_stages(simulated, program.lead).items()):
+        follows = program.segments[number] if program.timed else part
+        own.append(part.t0)
+        times.append(follows.t0)
+        if wetted and number == program.jump.stage:
+            own.append((part.t0 + part.t1) / 2)
+            share = (program.jump.before + program.jump.after) / 2
+            times.append(follows.t0 + share * (follows.t1 - follows.t0))
+        own.append(part.t1)
+        times.append(follows.t1)
+    # Before the recording the clock goes as it does in the simulation.
+    time = simulated["time"]
+    shown = np.where(time < own[0], times[0] + time - own[0], np.interp(time, own, times))
+    segments = tuple(
+        replace(s, t0=float(shown[s.first]), t1=float(shown[s.last])) for s in simulated.segments
+    )
+    return replace(simulated, channels=simulated.channels | {"time": shown}, segments=segments)

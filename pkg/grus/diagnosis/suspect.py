@@ -12,12 +12,16 @@ LEVEL, SHAPE = 0.4, 0.25
 """Scatter of an effect from stage to stage and from cell to cell of it, as a share: another specimen, another law."""
 MATTERS = 0.1
 """Effect in a stage over the largest, from which its sign is looked at."""
+EVENTS = 0.6
+"""Scatter of the share of acoustic events that go with a strain."""
 EXACT = 0.03
 """The same of what an instrument does, which depends on no specimen."""
 UNKNOWN = {"hold": "strain at constant stress", "ramp": "stiffness", "ratio": "stress ratios"}
 """Where something unknown may show, and what it changes."""
 TIMES = (0.005, 0.02, 0.1, 0.4)
 """Characteristic times of unknown courses in a hold, over its length."""
+HEARD = 0.3
+"""Share of the acoustic events that a hold may have by an unknown cause."""
 RAGGED = 3e-4
 """Variance from cell to cell of an unknown course of variance 1."""
 
@@ -99,17 +103,18 @@ def looseness(
     exact: of an instrument, which knows no specimen. shape: scatter from cell to cell, as a share.
     """
     level, shape = (EXACT, EXACT) if exact else (LEVEL, shape)
+    heard = compared.where(channel="events")
     covariance = np.zeros((len(change), len(change)))
     for stage in {e.stage for e in compared.entries}:
         own = compared.where(stage=stage)
-        part = np.where(own, change, 0.0)
+        part = np.where(own & ~heard, change, 0.0)
         covariance += np.outer(level * part, level * part)
         strain = own & compared.where(channel="strain")
         # A cell where little is expected may still have some of what its stage has.
         usual = np.abs(change[strain]).mean() if strain.any() else 0.0
         spread = np.where(strain, shape * np.maximum(np.abs(part), 0.5 * usual), 0.0)
         covariance += np.diag(spread**2)
-    return covariance
+    return covariance + np.diag(np.where(heard, EVENTS * change, 0.0) ** 2)
 
 
 @dataclass(frozen=True)
@@ -129,14 +134,19 @@ class Unknown:
 
     @property
     def grid(self) -> np.ndarray:
-        return np.geomspace(0.02, 1.0, 5)
+        """Sizes; below 0 for a course in holds that is heard."""
+        sizes = np.geomspace(0.02, 1.0, 5)
+        heard = self.where == "hold" and self.compared.events
+        return np.concatenate([-sizes[::-1], sizes]) if heard else sizes
 
     def effect(self, size: float) -> tuple[np.ndarray, np.ndarray]:
         n = len(self.compared.entries)
         covariance = np.zeros((n, n))
         if self.where == "ratio":
-            ratio = ~self.compared.where(channel="strain")
+            ratio = self.compared.where(channel="base") | self.compared.where(channel="lateral")
             return np.zeros(n), np.diag((size * ratio) ** 2)
+        if size < 0:
+            covariance += np.diag((HEARD * self.compared.where(channel="events")) ** 2)
         for stage in {e.stage for e in self.compared.entries}:
             own = np.flatnonzero(self.compared.where(stage=stage, channel="strain"))
             if not len(own):

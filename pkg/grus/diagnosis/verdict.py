@@ -12,6 +12,8 @@ NAMED = 0.75
 """Probability from which a mechanism is named."""
 DECIDED = 0.5
 """Probability from which nothing, or something unknown, is the verdict."""
+WHITE = 0.001
+"""Probability that the rest is white, below which something else is at work."""
 POSSIBLE = 0.1
 """Probability from which a mechanism is one of those that cannot be told apart."""
 
@@ -26,9 +28,14 @@ class Decision:
     probability: dict[str, float]
 
 
-def decide(found: Sequence[Explanation], complete: bool = True) -> Decision:
-    """From the probabilities of all sets of suspects; complete: whether all known mechanisms were among them, without
-    which nothing can be called unknown."""
+def decide(
+    found: Sequence[Explanation], complete: bool = True, whiteness: float = 1.0
+) -> Decision:
+    """From the probabilities of all sets of suspects.
+
+    complete: whether all known mechanisms were among them, without which nothing can be called unknown. whiteness:
+    probability that what the best known mechanisms leave is without order; where it is not, they do not explain it.
+    """
     probability = inclusion(found)
     nothing = sum(e.probability for e in found if not e.names)
     unknown = probability.setdefault("unknown", 0.0)
@@ -38,7 +45,7 @@ def decide(found: Sequence[Explanation], complete: bool = True) -> Decision:
         key=lambda name: -probability[name],
     )
     named = tuple(name for name in mechanisms if probability[name] >= NAMED)
-    if unknown >= DECIDED:
+    if unknown >= DECIDED or whiteness < WHITE:
         return Decision("unknown" if complete else "cannot_tell", (), probability)
     if named:
         return Decision("named", named, probability)

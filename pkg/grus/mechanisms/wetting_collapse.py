@@ -46,7 +46,7 @@ MECHANISM = Mechanism(
             "1",
             low=0.1,
             high=1.0,
-            sizes=(0.95, 0.9, 0.8),
+            sizes=(0.9, 0.7, 0.5),
             logarithmic=False,
             meaning="Factor on the strengths of all bonds.",
             off=1.0,

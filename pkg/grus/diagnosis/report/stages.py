@@ -6,7 +6,12 @@ from grus.diagnosis.diagnosis import Diagnosis
 from grus.diagnosis.report.spoken import quantity
 
 KINDS = {"seat": "seating", "load": "loading", "reload": "reloading", "unload": "unloading"}
-CHANNELS = {"strain": "strain", "base": "stress at the base", "lateral": "lateral stress"}
+CHANNELS = {
+    "strain": "strain",
+    "base": "stress at the base",
+    "lateral": "lateral stress",
+    "events": "acoustic events in holds",
+}
 
 
 class Stage(Protocol):

@@ -12,7 +12,7 @@ from grus.diagnosis.locate import StageMisfit
 from grus.diagnosis.report.spoken import chances, number, probability, quantity, size, strain
 from grus.diagnosis.report.stages import CHANNELS, done, numbers
 from grus.diagnosis.suspect import UNKNOWN
-from grus.diagnosis.verdict import POSSIBLE
+from grus.diagnosis.verdict import DECIDED, POSSIBLE
 from grus.mechanisms import MECHANISMS
 
 MOST_STAGES = 3
@@ -107,6 +107,9 @@ def _seen(d: Diagnosis, one: StageMisfit) -> str:
     if one.channel == "strain":
         recorded, base = (strain(value / d.calibration.stiffness) for value in pair)
         return f"strain recorded {recorded}, model {base}"
+    if one.channel == "events":
+        recorded, base = (f"{value:.0%}" for value in pair)
+        return f"share of all acoustic events recorded {recorded}, model {base}"
     recorded, base = (number(float(np.exp(value))) for value in pair)
     return f"{CHANNELS[one.channel]} over axial stress recorded {recorded}, model {base}"
 
@@ -114,6 +117,8 @@ def _seen(d: Diagnosis, one: StageMisfit) -> str:
 def _what(d: Diagnosis) -> str:
     if d.culprits:
         return " ".join(f"{MECHANISMS[one.name].summary}" for one in d.culprits[:2])
+    if d.verdict == "unknown" and d.decision.probability["unknown"] < DECIDED:
+        return "Something that no known mechanism gives: what the best of them leave has an order of its own."
     if d.verdict == "unknown":
         parts = _unknown_parts(d)
         return f"A change of {' and of '.join(parts)} that no fingerprint of a mechanism gives."
