@@ -1,15 +1,14 @@
 # Crushes one grain of a card between two platens, with every engine in sight. From the top folder of Grus:
-#     PYTHONPATH=pkg yade -n -x scripts/crush.py models/montesinho.toml [NUMBER OF THE GRAIN]
+#     PYTHONPATH=pkg yade -n -x scripts/crush.py models/montesinho.toml [NUMBER OF THE GRAIN [FOLDER]]
 # `grus crush` does the same with a group of grains. Change what you like, or take the script apart.
-import sys
+import pandas as pd
 
 import grus  # makes Grus's classes known to YADE; from here on they stand beside YADE's own
-from grus.card import Card
 from grus.scene import grain_material, insert, platen_material, snapshot
+from grus.script import arguments
 from grus.specimen.from_card import grain_from_card
 
-card = Card.from_file(sys.argv[1])
-number = int(sys.argv[2]) if len(sys.argv) > 2 else 0
+card, number, folder = arguments(grain=0, folder=None)  # or from a table of yade-batch
 
 # The grain: elements in a regular packing, which a stamp gathers into rigid clumps. Plain arrays, no YADE so far.
 grain = grain_from_card(card, number)
@@ -72,3 +71,6 @@ print(f"ended: {platens.ended}, after {O.iter} steps of about {O.dt:.2g} s")
 print(f"peak force {platens.peakForce / 1e3:.4g} kN, strength {strength / 1e6:.7g} MPa")
 print(f"{ledger.tensionBreaks} bonds broken in tension, {ledger.shearBreaks} in shear")
 print(f"{snapshot(grain, elements).fragment_count} fragments")
+if folder:
+    curve = {"closing [m]": platens.recordClosing, "force [N]": platens.recordForce}
+    pd.DataFrame(curve).to_csv(f"{folder}/curve.csv", index=False)

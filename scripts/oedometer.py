@@ -1,13 +1,11 @@
 # Loads the specimen of a card in an oedometer, stage by stage. From the top folder of Grus:
 #     PYTHONPATH=pkg yade -n -x scripts/oedometer.py models/quick.toml [FOLDER]
 # `grus oedometer` does the same; besides, it goes on where it was cut off, and writes a report.
-import sys
 from math import atan
 
 import numpy as np
 
 import grus  # makes Grus's classes known to YADE; from here on they stand beside YADE's own
-from grus.card import Card
 from grus.oedometer.run import SEATING
 from grus.oedometer.test import record
 from grus.preparation import prepare
@@ -15,9 +13,9 @@ from grus.preparation.press import element_stiffness
 from grus.preparation.walls import add_walls
 from grus.scene import GrainEngines, grain_material, insert, snapshot
 from grus.scene.vtk import write_vtk
+from grus.script import arguments
 
-card = Card.from_file(sys.argv[1])
-folder = sys.argv[2] if len(sys.argv) > 2 else "."
+card, folder = arguments(folder=".")  # or from a table of yade-batch
 test = card.oedometer
 
 # Grains at rest in a box, as plain arrays: from the folder if they are there, else made as scripts/prepare.py does.

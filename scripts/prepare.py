@@ -1,12 +1,9 @@
 # Prepares the specimen of a card for its oedometer test, step by step. From the top folder of Grus:
 #     PYTHONPATH=pkg yade -n -x scripts/prepare.py models/quick.toml [FOLDER]
 # `grus.preparation.prepare` does the same, and tries further packings when the first one misses.
-import sys
-
 import numpy as np
 
 import grus  # makes Grus's classes known to YADE
-from grus.card import Card
 from grus.preparation.compaction import Compaction, start_box
 from grus.preparation.diameters import base, diameters
 from grus.preparation.exo import grow, place
@@ -14,10 +11,10 @@ from grus.preparation.grain import sized_grain
 from grus.preparation.preparation import specimen_key
 from grus.preparation.seating import seat
 from grus.preparation.stream import Step, stream
+from grus.script import arguments
 from grus.specimen import join
 
-card = Card.from_file(sys.argv[1])
-folder = sys.argv[2] if len(sys.argv) > 2 else "."
+card, folder = arguments(folder=".")  # or from a table of yade-batch
 
 # The grains, each of the size that the grading gives it; plain arrays, no YADE so far.
 sizes = diameters(card)

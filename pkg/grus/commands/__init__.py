@@ -9,6 +9,7 @@ import typer
 
 from grus.commands import (
     bench,
+    calibrate,
     campaign,
     card,
     crush,
@@ -29,6 +30,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
 )
 app.command()(bench.bench)
+app.command()(calibrate.calibrate)
 app.command()(campaign.campaign)
 app.command()(card.card)
 app.command()(crush.crush)

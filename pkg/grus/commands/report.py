@@ -8,7 +8,8 @@ import typer
 
 def report(
     folder: str = typer.Argument(
-        ..., help="Folder that grus crush, grus oedometer or grus campaign has filled."
+        ...,
+        help="Folder that grus crush, grus oedometer, grus campaign or grus calibrate has filled.",
     ),
     out: Optional[str] = typer.Option(
         None, help="File of the page.", show_default="report.html in the folder"

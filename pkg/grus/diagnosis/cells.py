@@ -19,6 +19,8 @@ HOLD_TIMES = (0.0, 0.003, 0.01, 0.03, 0.1, 0.25, 0.5, 0.75, 1.0)
 """Knots of a hold as shares of its time: near decades first, evenly later, so that a step within it shows."""
 FEWEST = 3
 """Readings that a cell has, at least."""
+CLEARLY = 4.0
+"""Variance of the readings of a cell over that of the stage, from which it counts."""
 FLOOR = 2e-6
 """Strain [-] below which no recording is believed."""
 
@@ -82,7 +84,19 @@ def cells(
     bend = np.diff(np.eye(len(knots)), 2, axis=0) * 1e-3 if len(knots) > 2 else np.zeros((0, 2))
     fit = np.linalg.lstsq(np.vstack([hats, bend]), np.eye(len(at) + len(bend))[:, : len(at)], None)
     changes = np.diff(np.eye(len(knots)), axis=0) @ fit[0]
-    return Cells(stage, segment.kind, rows, at, knots, changes, sigma**2 * changes @ changes.T)
+    rest = record["axial_strain"][rows] - hats @ fit[0] @ record["axial_strain"][rows]
+    variances = _variances(rest, at, knots, sigma)
+    return Cells(stage, segment.kind, rows, at, knots, changes, (changes * variances) @ changes.T)
+
+
+def _variances(rest: np.ndarray, at: np.ndarray, knots: np.ndarray, sigma: float) -> np.ndarray:
+    """Of each reading (n,): sigma squared, or what the readings of its cell are off the fit where that is clearly more."""
+    cell = np.searchsorted(np.sort(knots)[1:-1], at)
+    squares = np.bincount(cell, rest**2, len(knots) - 1)
+    # Each cell takes about one number of its readings.
+    freedom = np.maximum(np.bincount(cell, minlength=len(knots) - 1) - 1, 1)
+    found = (squares / freedom)[cell]
+    return np.where(found > CLEARLY * sigma**2, found, sigma**2)
 
 
 def _filled(wanted: np.ndarray, at: np.ndarray, needed: Sequence[float]) -> np.ndarray:

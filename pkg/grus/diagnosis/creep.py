@@ -20,7 +20,7 @@ EXPONENT = 20.0
 """Of used-up life with stress; what comes out hardly depends on it above 10."""
 TIMES = (60.0, 600.0, 3600.0)
 """Times [s] from which on strain goes with the logarithm of time."""
-POWERS = (0.75, 1.5, 3.0, 6.0)
+POWERS = (0.75, 1.5, 2.2, 3.0, 6.0)
 """Exponents of creep with stress."""
 AMOUNTS = 16
 LEAST, MOST = 2e-3, 60.0

@@ -31,7 +31,7 @@ from grus.diagnosis.whiteness import whiteness
 from grus.record import Record
 from grus.recording import read, segments
 
-TEMPER = 0.5
+TEMPER = 0.6
 """Power of the likelihood; found on development trials. The covariance knows less of specimens than there is."""
 
 

@@ -91,10 +91,16 @@ def explanations(
     alone = [explain((name,)) for name in names]
     start = {e.names[0]: int(np.argmin(np.abs(grids[e.names[0]] - e.best()[0]))) for e in alone}
     result = [explain(()), *alone]
-    result += [explain(pair, [start[n] for n in pair]) for pair in combinations(names, 2)]
+    result += [explain(pair, [start[n] for n in pair]) for pair in _sets(names, 2)]
     likely = _likely(_weighed(result, names), names)
-    result += [explain(three, [start[n] for n in three]) for three in combinations(likely, MOST)]
+    result += [explain(three, [start[n] for n in three]) for three in _sets(likely, MOST)]
     return sorted(_weighed(result, names), key=lambda e: -e.probability)
+
+
+def _sets(names: Sequence[str], members: int) -> list[tuple[str, ...]]:
+    """All sets but those of an effect with its opposite."""
+    every = combinations(names, members)
+    return [one for one in every if len({n.replace(":-", ":") for n in one}) == members]
 
 
 def log_density(x: np.ndarray, covariance: np.ndarray) -> float:

@@ -16,7 +16,7 @@ BEYOND = 4.0
 """Effect over that of the largest size run, up to which a fingerprint is scaled."""
 LEAST = 0.05
 """Smallest effect that is considered, over that of the smallest size run."""
-POINTS = 12
+POINTS = 48
 """Sizes between which a mechanism is looked for."""
 
 

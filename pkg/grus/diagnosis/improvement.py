@@ -14,8 +14,8 @@ from grus.diagnosis.predict import Effects, Error, error, predicted
 from grus.diagnosis.put_back import PutBack
 from grus.diagnosis.suspect import Suspect
 
-ACTS = 0.05
-"""Share of an effect's largest change of a stage, from which it acts in a stage."""
+ACTS = 1.0
+"""Change of the strain of a stage, in standard deviations of specimens without it, from which a mechanism acts there."""
 FEW = 5
 """Sizes of each of several mechanisms between which the stages that were seen choose."""
 
@@ -86,7 +86,7 @@ def improve(
     n = len(compared.measured)
     by_name = {s.name: s for s in suspects}
     members = [by_name[name] for name in best.names]
-    acting = _acting(compared, members, best.best())
+    acting = _acting(compared, made, members, best.best())
     before, after = (
         _fit(compared, made, effects, acting)
         for effects in ([(np.zeros(n), np.zeros((n, n)))], _effects(members))
@@ -107,18 +107,20 @@ def _effects(members: Sequence[Suspect]) -> list[tuple[np.ndarray, np.ndarray]]:
 
 
 def _acting(
-    compared: Layout, members: Sequence[Suspect], sizes: Sequence[float]
+    compared: Layout, made: Library, members: Sequence[Suspect], sizes: Sequence[float]
 ) -> tuple[int, ...]:
-    """Stages in which any of them changes strain."""
-    strain = compared.where(channel="strain")
-    stages = sorted({e.stage for e in compared.entries})
-    found: set[int] = set()
-    for member, size in zip(members, sizes):
-        change = np.abs(member.effect(size)[0])
-        sums = {k: float(change[strain & compared.where(stage=k)].sum()) for k in stages}
-        largest = max(sums.values(), default=0.0)
-        found |= {k for k, one in sums.items() if one > ACTS * largest}
-    return tuple(sorted(found))
+    """Stages whose strain any of them changes by more than specimens scatter; the one that comes closest when there is
+    none."""
+    covariance = made.covariance + compared.noise
+    over: dict[int, float] = {}
+    for stage in {e.stage for e in compared.entries}:
+        own = compared.where(stage=stage, channel="strain")
+        if own.any():
+            spread = np.sqrt(covariance[np.ix_(own, own)].sum())
+            changes = [m.effect(s)[0][own].sum() for m, s in zip(members, sizes)]
+            over[stage] = float(np.abs(changes).max() / spread)
+    found = [stage for stage, times in over.items() if times > ACTS]
+    return tuple(sorted(found or [max(over, key=over.__getitem__)]))
 
 
 def _fit(compared: Layout, made: Library, effects: Effects, acting: tuple[int, ...]) -> Fit:

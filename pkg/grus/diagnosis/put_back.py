@@ -14,9 +14,9 @@ from grus.diagnosis.plan import INSTRUMENT
 from grus.diagnosis.simulator import Simulator, Test
 from grus.diagnosis.suspect import Known, Suspect
 
-RUNS = 3
+RUNS = 4
 """Specimens with which the model is run again."""
-TRIALS = 4
+TRIALS = 3
 """Sizes that are tried, at most."""
 FAINT, STRONGER = 0.05, 8.0
 """Effect over the one asked for below which a size says nothing of others, and the factor to the next one."""

@@ -52,4 +52,6 @@ def _ljung_box(white: np.ndarray, lags: int = 3) -> float:
     centred = white - white.mean()
     power = float(centred @ centred) or 1.0
     r = np.array([centred[k:] @ centred[: n - k] / power for k in range(1, lags + 1)])
+    # As with the runs: neighbours that are alike are order, neighbours that differ are noise that was taken for less.
+    r = np.maximum(r, 0.0)
     return float(stats.chi2.sf(n * (n + 2) * np.sum(r**2 / (n - np.arange(1, lags + 1))), lags))

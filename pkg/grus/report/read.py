@@ -5,6 +5,7 @@ from pathlib import Path
 
 from grus.campaign.store import Store
 from grus.errors import GrusError
+from grus.report.calibration import calibration_content
 from grus.report.content import Content, Picture
 from grus.report.group import group_content
 from grus.report.specimen import specimen_content
@@ -15,7 +16,7 @@ LARGEST = 500_000
 
 
 def content_of(folder: str | Path) -> Content:
-    """Content of the page of a folder that `grus crush`, `grus oedometer` or `grus campaign` has filled.
+    """Content of the page of a folder that `grus crush`, `grus oedometer`, `grus campaign` or `grus calibrate` has filled.
 
     Raises GrusError for a folder with anything else, or with results that are not complete.
     """
@@ -27,10 +28,14 @@ def content_of(folder: str | Path) -> Content:
         return group_content(found, _pictures(folder, found))
     if "stages" in found:
         return specimen_content(found, _pictures(folder, found))
-    raise GrusError(f"{folder / 'result.json'}: of neither test; {ALLOWED}")
+    if found.get("what") == "calibration":
+        return calibration_content(found, _pictures(folder, found))
+    raise GrusError(f"{folder / 'result.json'}: of no test; {ALLOWED}")
 
 
-ALLOWED = "allowed: a folder that grus crush, grus oedometer or grus campaign has filled"
+ALLOWED = (
+    "allowed: a folder that grus crush, grus oedometer, grus campaign or grus calibrate has filled"
+)
 
 
 def _found(folder: Path) -> dict:
@@ -42,7 +47,7 @@ def _found(folder: Path) -> dict:
     except ValueError as error:
         raise GrusError(f"{path}: cannot be read ({error}); {ALLOWED}") from None
     if not isinstance(found, dict):
-        raise GrusError(f"{path}: of neither test; {ALLOWED}")
+        raise GrusError(f"{path}: of no test; {ALLOWED}")
     return found
 
 
