@@ -27,6 +27,9 @@ LEAST, MOST = 2e-3, 60.0
 """Amounts of creep over the strain of first loading."""
 UNEVEN = 0.25
 """Scatter of creep from cell to cell, as a share."""
+RENEWED = 0.3
+"""Scatter of what a hold adds under a stress that was held before, over what it would add for the first time: unloading
+and reloading find other paths for the load."""
 STEP = 0.03
 """Share of the creep of all holds that comes in one step, by chance in one cell or in the next: delayed failures come in
 avalanches."""
@@ -62,9 +65,15 @@ class Creep(Known):
 
     def effect(self, size: float) -> tuple[np.ndarray, np.ndarray]:
         change = self.change(size)
+        amount, time, power = self.cases[int(size)]
         strain = self.compared.where(channel="strain")
-        steps = np.where(strain, STEP * self.cases[int(size)][0] * change, 0.0)
-        return change, looseness(self.compared, change, shape=UNEVEN) + np.diag(steps)
+        steps = np.where(strain, STEP * amount * change, 0.0)
+        spread = looseness(self.compared, change, shape=UNEVEN) + np.diag(steps)
+        again = RENEWED * amount * renewed(self.compared, time, power)
+        for stage in {e.stage for e in self.compared.entries}:
+            own = np.where(self.compared.where(stage=stage), again, 0.0)
+            spread += np.outer(own, own)
+        return change, spread
 
     def levels(self, size: float) -> np.ndarray:
         return stage_levels(self.compared, self.change(size))
@@ -104,6 +113,24 @@ def heard(compared: Layout, change: np.ndarray, broken: float) -> np.ndarray:
 
 def course(compared: Layout, time: float, power: float) -> np.ndarray:
     """Share (n,) of the creep of all holds that comes in each cell."""
+    result = _by_law(compared, time, power, memory=True)
+    return result / max(result.sum(), 1e-12)
+
+
+def renewed(compared: Layout, time: float, power: float) -> np.ndarray:
+    """What holds would add (n,) beyond `course`, over the creep of all holds, if what was held before did not count."""
+    law = _by_law(compared, time, power, memory=True)
+    highest = 0.0
+    fresh = _by_law(compared, time, power, memory=False)
+    for stage, segment in enumerate(compared.protocol.segments):
+        if segment.stress_to < 0.97 * highest:
+            fresh = np.where(compared.where(stage=stage), law, fresh)
+        highest = max(highest, segment.stress_to)
+    return np.maximum(fresh - law, 0.0) / max(law.sum(), 1e-12)
+
+
+def _by_law(compared: Layout, time: float, power: float, memory: bool) -> np.ndarray:
+    """Creep (n,) in some unit; memory: whether life that was used up before counts."""
     result = np.zeros(len(compared.entries))
     segments = compared.protocol.segments
     highest = compared.protocol.highest
@@ -113,16 +140,18 @@ def course(compared: Layout, time: float, power: float) -> np.ndarray:
             continue
         level = (segment.stress_to / highest) ** power
         if not compared.protocol.timed:
-            before = max((s.stress_to for s in segments[:stage]), default=0.0)
+            held = (s.stress_to for s in segments[:stage])
+            before = max(held, default=0.0) if memory else 0.0
             result[own] = level * (segment.stress_to >= 0.97 * before) / len(own)
             continue
-        used = time + sum(
-            (s.t1 - s.t0) * (max(s.stress_from, s.stress_to) / segment.stress_to) ** EXPONENT
-            for s in segments[:stage]
-            if s.kind == "hold"
-        )
+        used = time
+        if memory:
+            used += sum(
+                (s.t1 - s.t0) * (max(s.stress_from, s.stress_to) / segment.stress_to) ** EXPONENT
+                for s in segments[:stage]
+                if s.kind == "hold"
+            )
         lasts = segment.t1 - segment.t0
         ends = [(compared.entries[i].start, compared.entries[i].end) for i in own]
         result[own] = [level * np.log((used + b * lasts) / (used + a * lasts)) for a, b in ends]
-    total = result.sum()
-    return result / total if total > 0 else result
+    return result

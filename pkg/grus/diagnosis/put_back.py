@@ -67,7 +67,7 @@ def put_back(
             break
         raw, error, count = found
         change = _smooth(raw, compared, members, sizes)
-        share = float(change @ wanted / max(wanted @ wanted, 1e-30))
+        share = _share(change, wanted, compared)
         tried.append(PutBack(change, raw, error, share, culprits, count))
         if not ran or abs(np.log(max(share, 1e-6))) < CLOSE:
             break
@@ -101,6 +101,12 @@ def _run(
     return change, np.std(changes, axis=0) / np.sqrt(len(changes)), len(changes)
 
 
+def _share(change: np.ndarray, wanted: np.ndarray, compared: Layout) -> float:
+    """Effect on strain over the one that is wanted."""
+    strain = compared.where(channel="strain")
+    return float(change[strain] @ wanted[strain] / max(wanted[strain] @ wanted[strain], 1e-30))
+
+
 def _simulated(culprit: Culprit, stiffness: float) -> tuple[tuple[str, float], ...]:
     """Values for runs whose strains are compared after the recording's were multiplied by the stiffness."""
     scale = stiffness if culprit.name in INSTRUMENT else 1.0
@@ -127,8 +133,7 @@ def _points(suspect: Known, compared: Layout, wanted: np.ndarray) -> list[tuple[
     """Value of the parameter and effect over the wanted one, of the sizes that gave the fingerprint."""
     one = suspect.fingerprint
     return [
-        (value, float(change @ wanted / max(wanted @ wanted, 1e-30)))
-        for value, change in zip(one.sizes, one.changes)
+        (value, _share(change, wanted, compared)) for value, change in zip(one.sizes, one.changes)
     ]
 
 

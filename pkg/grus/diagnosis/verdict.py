@@ -28,9 +28,7 @@ class Decision:
     probability: dict[str, float]
 
 
-def decide(
-    found: Sequence[Explanation], complete: bool = True, whiteness: float = 1.0
-) -> Decision:
+def decide(found: Sequence[Explanation], complete: bool = True, whiteness: float = 1.0) -> Decision:
     """From the probabilities of all sets of suspects.
 
     complete: whether all known mechanisms were among them, without which nothing can be called unknown. whiteness:

@@ -17,6 +17,8 @@ from grus.mechanisms import MECHANISMS
 
 MOST_STAGES = 3
 """Stages that are named as those where recording and model differ."""
+FORETOLD = 0.8
+"""Error of a stage with what was left out, over that without, above which the other stages do not foretell it."""
 CLEAR = 0.05
 """Probability of a misfit by chance below which a stage is named."""
 ENOUGH = 0.8
@@ -199,6 +201,12 @@ def _what_improves(d: Diagnosis) -> str:
         return "Nothing was put back into the model."
     before, after = fit.before.left_out.rmse_strain, fit.after.left_out.rmse_strain
     scale = d.calibration.stiffness
+    if len(fit.left_out) == 1 and after > FORETOLD * before:
+        without, seen = (f.where_it_acts.rmse_strain / scale for f in (fit.before, fit.after))
+        return (
+            f"What was left out acts on {numbers(d, fit.left_out)} only, which no other stage can foretell. Error of strain "
+            f"there, once it was seen: {strain(without)} without, {strain(seen)} with what was left out."
+        )
     told = (
         f"Error of strain on {numbers(d, fit.left_out)}, each foreseen from all other stages: "
         f"{strain(before / scale)} without, {strain(after / scale)} with what was left out"
