@@ -58,6 +58,12 @@ class Collapse(Known):
         ran, sizes = self._amounts()
         return float(np.interp(np.log(size), np.log(ran), sizes))
 
+    def bracket(self, size: float) -> tuple[float, ...]:
+        """The neighbouring sizes that were run: between them few specimens come to one avalanche more or less."""
+        ran, sizes = self._amounts()
+        above = int(np.clip(np.searchsorted(ran, size), 1, len(ran) - 1)) if len(ran) > 1 else 0
+        return tuple(float(one) for one in sizes[max(above - 1, 0) : above + 1])
+
     def outside(self, size: float) -> bool:
         ran, _ = self._amounts()
         return not ran[0] <= size <= ran[-1]

@@ -87,12 +87,13 @@ def _estimate(suspect: Known, best: Explanation, place: int, stiffness: float) -
     ends = [float(np.interp(share, shares, sizes)) for share in INTERVAL]
     # Strains were multiplied by the stiffness; what an instrument adds to them was, too.
     scale = 1 / stiffness if fingerprint.mechanism.name in INSTRUMENT else 1.0
-    values = sorted(scale * suspect.value(size) for size in ends)
+    found = [*(suspect.value(size) for size in ends), *suspect.bracket(middle)]
+    values = sorted(scale * value for value in found)
     return Estimate(
         fingerprint.parameter.name,
         scale * suspect.value(middle),
         values[0],
-        values[1],
+        values[-1],
         fingerprint.parameter.unit,
         suspect.outside(middle),
     )

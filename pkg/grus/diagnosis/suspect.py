@@ -78,6 +78,10 @@ class Known:
         """The parameter at a size of the grid."""
         return self.fingerprint.value(size)
 
+    def bracket(self, size: float) -> tuple[float, ...]:
+        """Values of the parameter that an interval holds at least, since the DEM tells no more."""
+        return ()
+
     def outside(self, size: float) -> bool:
         """Whether a size is beyond those that were run."""
         return self.fingerprint.outside(size)

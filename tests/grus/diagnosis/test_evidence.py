@@ -92,3 +92,17 @@ def test_density_is_the_normal_one():
         (2 * np.pi) ** 2 * np.linalg.det(covariance)
     )
     assert log_density(x, covariance) == pytest.approx(expected)
+
+
+def test_an_effect_and_its_opposite_are_no_explanation():
+    view = compared(made_test(noise=2e-6, drift=2e-9))
+    found = explanations(view.measured - BASE.measured, SCATTER + view.noise, SUSPECTS)
+    opposite = {"instrument_drift:strain_rate", "instrument_drift:-strain_rate"}
+    assert not any(opposite <= set(one.names) for one in found)
+
+
+def test_what_leaves_an_order_is_no_explanation():
+    view = compared(made_test(noise=2e-6, creep=1.5e-4))
+    found = explanations(view.measured - BASE.measured, SCATTER + view.noise, SUSPECTS)
+    assert decide(found, whiteness=0.5).kind == "named"
+    assert decide(found, whiteness=1e-6).kind == "unknown"

@@ -8,6 +8,7 @@ from formula import HOUR, compared, made_test
 
 from grus.diagnosis.layout import LOWEST, layout
 from grus.diagnosis.protocol import protocol
+from grus.diagnosis.simulator import retimed
 from grus.errors import GrusError
 from grus.record import Record
 
@@ -111,3 +112,74 @@ def test_a_load_beyond_the_highest_stress_before_is_one_stage_here():
     )
     view = layout(record, protocol(record))
     assert np.allclose(view.of(replace(record, segments=(*split, *rest))), view.measured, atol=1e-9)
+
+
+def test_a_stress_that_is_reached_again_is_the_same_stage():
+    """A reading comes just below or above it."""
+    record = made_test()
+    last = record.segments[-1]
+    again = replace(last, kind="reload", stage=6, stress_from=50e3, stress_to=480e3)
+    plan = protocol(replace(record, segments=(*record.segments, again)))
+    assert plan.stages[-1].startswith("load to 500000 Pa")
+
+
+def test_the_program_states_stresses():
+    record = made_test()
+    program = [
+        "load to 205 kPa",
+        "hold for 24 h",
+        "load to 510 kPa",
+        "hold for 24 h",
+        "unload to 52 kPa",
+    ]
+    assert [s.split()[2] for s in protocol(record, program).stages if "hold" not in s] == [
+        "205000",
+        "510000",
+        "52000",
+    ]
+
+
+def test_without_the_clock_tests_of_the_same_stresses_are_one():
+    one = made_test()
+    other = replace(
+        one,
+        channels=one.channels | {"time": 7 * one["time"]},
+        segments=tuple(replace(s, t0=7 * s.t0, t1=7 * s.t1) for s in one.segments),
+    )
+    plans = protocol(one), protocol(other)
+    assert plans[0].stages != plans[1].stages and plans[0].timeless == plans[1].timeless
+
+
+def test_a_simulation_has_the_times_of_the_recording():
+    """All its stages take an hour; those of the recording an hour or a day."""
+    recorded = made_test()
+    hours = tuple(
+        replace(s, t0=HOUR * k, t1=HOUR * (k + 1)) for k, s in enumerate(recorded.segments)
+    )
+    time = np.interp(
+        recorded["time"],
+        [recorded.segments[0].t0, *(s.t1 for s in recorded.segments)],
+        HOUR * np.arange(6),
+    )
+    seated = tuple(replace(s, stage=s.stage) for s in hours)
+    simulated = replace(recorded, channels=recorded.channels | {"time": time}, segments=seated)
+    shown = retimed(simulated, protocol(recorded), wetted=False)
+    assert shown["time"] == pytest.approx(recorded["time"], abs=1e-6)
+    assert [s.t1 for s in shown.segments] == pytest.approx([s.t1 for s in recorded.segments])
+
+
+def test_acoustic_events_are_shared_by_holds():
+    record = made_test()
+    heard = np.interp(
+        record["time"], [0, HOUR, 25 * HOUR, 26 * HOUR, 50 * HOUR], [0, 10, 20, 60, 100]
+    )
+    record = replace(
+        record,
+        channels=record.channels | {"ae_events": heard},
+        units=record.units | {"ae_events": "1"},
+    )
+    view = compared(record)
+    own = view.where(channel="events")
+    assert view.measured[own] == pytest.approx([0.1, 0.4], abs=0.01)
+    few = replace(record, channels=record.channels | {"ae_events": heard / 20})
+    assert not compared(few).events
