@@ -88,7 +88,11 @@ class Creep(Known):
     def bracket(self, size: float) -> tuple[float, ...]:
         """The neighbouring sizes that were run: between them few specimens come to one avalanche more or less."""
         ran, sizes = self._amounts()
-        above = int(np.clip(np.searchsorted(ran, self.cases[int(size)][0]), 1, len(ran) - 1)) if len(ran) > 1 else 0
+        above = (
+            int(np.clip(np.searchsorted(ran, self.cases[int(size)][0]), 1, len(ran) - 1))
+            if len(ran) > 1
+            else 0
+        )
         return tuple(float(one) for one in sizes[max(above - 1, 0) : above + 1])
 
     def outside(self, size: float) -> bool:

@@ -75,7 +75,9 @@ def diagnose(
         rest = _rest(difference, covariance, found, suspected)
         decision = decide(found, not made.skipped, rest.smallest)
         stiffness = calibration.stiffness
-        named = culprits(decision.named, decision.probability, found, suspected, stiffness)
+        named = culprits(
+            decision.named, decision.probability, found, suspected, stiffness, plan.scale
+        )
         if decision.kind == "named":
             best = _best(found, decision.named)
             ran = put_back(

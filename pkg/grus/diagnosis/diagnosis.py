@@ -55,6 +55,11 @@ class Diagnosis:
         return self.decision.kind
 
     @property
+    def stiffness(self) -> float:
+        """Stiffness of contacts and bonds as calibrated, over that of the card."""
+        return self.calibration.stiffness / self.protocol.scale
+
+    @property
     def difference(self) -> np.ndarray:
         """Recording less base (n,), in the layout of the calibration."""
         return self.calibration.compared.measured - self.library.scatter.mean
@@ -82,7 +87,7 @@ class Diagnosis:
                 "neighbours": self.whiteness.neighbours,
             },
             "calibration": {
-                "stiffness_factor": self.calibration.stiffness,
+                "stiffness_factor": self.stiffness,
                 "tensile_strength": base.strength_factor(self.small, highest)
                 * float(self.small.bond.tensile_strength),
             },

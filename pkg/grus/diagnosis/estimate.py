@@ -55,15 +55,17 @@ def culprits(
     found: Sequence[Explanation],
     suspects: Sequence[Suspect],
     stiffness: float,
+    scale: float,
 ) -> list[Culprit]:
     """Mechanisms by name with their sizes, from all explanations that hold them; stiffness: factor of the calibration,
-    by which strains were multiplied."""
+    by which strains were multiplied. scale: stresses that were simulated over those of the recording.
+    """
     known = {s.name: s for s in suspects if isinstance(s, Known)}
     result = []
     for name in names:
         best = next(e for e in found if any(n.split(":")[0] == name for n in e.names))
         estimates = [
-            _estimate(known[member], best, place, stiffness)
+            _estimate(known[member], best, place, stiffness, scale)
             for place, member in enumerate(best.names)
             if member.split(":")[0] == name
         ]
@@ -76,7 +78,19 @@ def culprits(
     return result
 
 
-def _estimate(suspect: Known, best: Explanation, place: int, stiffness: float) -> Estimate:
+def simulated(name: str, unit: str, stiffness: float, scale: float) -> float:
+    """Value of a mechanism's parameter in the runs over that in the laboratory.
+
+    Strains were multiplied by the stiffness, and what an instrument adds to them was, too; stresses by the scale.
+    """
+    if name in INSTRUMENT:
+        return stiffness
+    return scale if unit == "Pa" else 1.0
+
+
+def _estimate(
+    suspect: Known, best: Explanation, place: int, stiffness: float, scale: float
+) -> Estimate:
     fingerprint = suspect.fingerprint
     weight: dict[float, float] = {}
     for sizes, share in best.sizes:
@@ -85,13 +99,12 @@ def _estimate(suspect: Known, best: Explanation, place: int, stiffness: float) -
     shares = np.cumsum([weight[size] for size in sizes])
     middle = float(np.interp(0.5, shares, sizes))
     ends = [float(np.interp(share, shares, sizes)) for share in INTERVAL]
-    # Strains were multiplied by the stiffness; what an instrument adds to them was, too.
-    scale = 1 / stiffness if fingerprint.mechanism.name in INSTRUMENT else 1.0
+    factor = 1 / simulated(fingerprint.mechanism.name, fingerprint.parameter.unit, stiffness, scale)
     found = [*(suspect.value(size) for size in ends), *suspect.bracket(middle)]
-    values = sorted(scale * value for value in found)
+    values = sorted(factor * value for value in found)
     return Estimate(
         fingerprint.parameter.name,
-        scale * suspect.value(middle),
+        factor * suspect.value(middle),
         values[0],
         values[-1],
         fingerprint.parameter.unit,

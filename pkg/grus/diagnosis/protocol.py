@@ -18,6 +18,9 @@ UNKNOWN_HOLD, UNKNOWN_LOAD = 24 * 3600.0, 3600.0
 """Length of a hold and of a change of stress [s] when the recording has no times."""
 SAME = 0.06
 """Difference of two stresses, as a share, at which they are taken for one that is reached again."""
+STRESSES = (1e5, 2e6)
+"""Highest stresses [Pa] that are simulated as they are. Strains go with stress over stiffness and stress over strength, so that
+others are simulated at a tenth, ten times, ... of them, with strengths to match and a stiffness that is calibrated."""
 LOADS_A_DECADE, HOLDS_A_DECADE = 3, 10
 """Steps of duration: what ages goes with the logarithm of time, and tests of like programs share their runs."""
 ANY = 3600.0
@@ -32,7 +35,8 @@ class Protocol:
     models in which the laboratory clock changes nothing. lead: number of stages that come before those of the
     recording, 1 when it begins under load. segments: of the recording, one for each further stage. timed: whether the
     recording has times. seating: axial stress [Pa] at which the recording begins, as it can be simulated. highest: axial stress [Pa]
-    of the stages. jump: the largest jump of strain at constant stress, if there is one.
+    of the recording's stages. scale: stresses that are simulated over those of the recording. jump: the largest jump of
+    strain at constant stress, if there is one.
     """
 
     stages: tuple[str, ...]
@@ -41,6 +45,7 @@ class Protocol:
     timed: bool
     seating: float
     highest: float
+    scale: float = 1.0
     lead: int = 0
     jump: Jump | None = None
 
@@ -62,7 +67,7 @@ def protocol(record: Record, program: Sequence[str] | None = None) -> Protocol:
     lowest = LOWEST * highest
     timed = "time" in record.channels
     stated = {} if program is None else _stated(program)
-    stages: list[tuple[str, float]] = []
+    stages: list[tuple[str, float, float]] = []
     followed: list[Segment] = []
     under_load = parts[0].kind == "hold" and parts[0].stress_from > 2 * LEAST_MOVE * highest
     level = seating = max(min(parts[0].stress_from, 0.5 * highest), lowest)
@@ -70,40 +75,51 @@ def protocol(record: Record, program: Sequence[str] | None = None) -> Protocol:
     if under_load:
         level = _nice(parts[0].stress_from)
         levels.append(level)
-        stages.append((f"load to {level:g} Pa", UNKNOWN_LOAD))
+        stages.append(("load", level, UNKNOWN_LOAD))
     for part in parts:
         target = max(part.stress_to, lowest)
         if abs(target - level) > LEAST_MOVE * highest:
             kind = "load" if target > level else "unload"
             goal = _again(stated.get(part.stage, target), target, levels)
             seconds = part.t1 - part.t0 if timed and part.t1 > part.t0 else UNKNOWN_LOAD
-            stages.append((f"{kind} to {goal:g} Pa", _round(seconds, LOADS_A_DECADE)))
+            stages.append((kind, goal, _round(seconds, LOADS_A_DECADE)))
             level = target
             levels.append(goal)
         elif part.kind == "hold" and stages:
             seconds = part.t1 - part.t0 if timed else UNKNOWN_HOLD
             if seconds <= 0:
                 continue
-            stages.append(("hold", _round(seconds, HOLDS_A_DECADE)))
+            stages.append(("hold", level, _round(seconds, HOLDS_A_DECADE)))
         else:
             continue
         followed.append(part)
-    if not followed or not stages[0][0].startswith("load"):
+    if not followed or stages[0][0] != "load":
         raise GrusError("recording: the stress never rises; allowed: a test under load")
+    scale = _scale(max(levels))
     return Protocol(
-        tuple(_worded(what, seconds) for what, seconds in stages),
-        tuple(_worded(what, ANY) for what, _ in stages),
+        tuple(_worded(kind, scale * goal, seconds) for kind, goal, seconds in stages),
+        tuple(_worded(kind, scale * goal, ANY) for kind, goal, _ in stages),
         tuple(followed),
         timed,
         seating,
         max(levels),
+        scale,
         int(under_load),
         largest_jump(record, followed),
     )
 
 
-def _worded(what: str, seconds: float) -> str:
-    return f"{what} {'for' if what == 'hold' else 'in'} {seconds:g} s"
+def _worded(kind: str, stress: float, seconds: float) -> str:
+    return (
+        f"hold for {seconds:g} s" if kind == "hold" else f"{kind} to {stress:g} Pa in {seconds:g} s"
+    )
+
+
+def _scale(highest: float) -> float:
+    """Power of ten that brings the highest stress among those for which the small model is made."""
+    low, high = STRESSES
+    powers = [p for p in range(-9, 10) if low <= highest * 10.0**p < high]
+    return 1.0 if low <= highest < high else 10.0 ** min(powers, key=abs)
 
 
 def _stated(program: Sequence[str]) -> dict[int, float]:

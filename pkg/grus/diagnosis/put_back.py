@@ -7,7 +7,7 @@ import numpy as np
 
 from grus.diagnosis.base import Base
 from grus.diagnosis.creep import Creep, course
-from grus.diagnosis.estimate import Culprit
+from grus.diagnosis.estimate import Culprit, simulated
 from grus.diagnosis.evidence import Explanation
 from grus.diagnosis.layout import Layout
 from grus.diagnosis.plan import INSTRUMENT
@@ -86,7 +86,7 @@ def _run(
     culprits: Sequence[Culprit],
     stiffness: float,
 ) -> tuple[np.ndarray, np.ndarray, int] | None:
-    on = tuple((c.name, _simulated(c, stiffness)) for c in culprits)
+    on = tuple((c.name, _simulated(c, stiffness, compared.protocol.scale)) for c in culprits)
     pairs = [(Test(base, seed, on), Test(base, seed)) for seed in seeds[:RUNS]]
     records = simulator.run([test for pair in pairs for test in pair], "put back")
     changes = [
@@ -107,10 +107,12 @@ def _share(change: np.ndarray, wanted: np.ndarray, compared: Layout) -> float:
     return float(change[strain] @ wanted[strain] / max(wanted[strain] @ wanted[strain], 1e-30))
 
 
-def _simulated(culprit: Culprit, stiffness: float) -> tuple[tuple[str, float], ...]:
-    """Values for runs whose strains are compared after the recording's were multiplied by the stiffness."""
-    scale = stiffness if culprit.name in INSTRUMENT else 1.0
-    return tuple((name, scale * value) for name, value in culprit.values())
+def _simulated(culprit: Culprit, stiffness: float, scale: float) -> tuple[tuple[str, float], ...]:
+    """Values of the parameters in the runs."""
+    return tuple(
+        (one.name, simulated(culprit.name, one.unit, stiffness, scale) * one.value)
+        for one in culprit.parameters
+    )
 
 
 def _smooth(
@@ -132,8 +134,10 @@ def _name(suspect: Suspect) -> str:
 def _points(suspect: Known, compared: Layout, wanted: np.ndarray) -> list[tuple[float, float]]:
     """Value of the parameter and effect over the wanted one, of the sizes that gave the fingerprint."""
     one = suspect.fingerprint
+    factor = simulated(_name(suspect), one.parameter.unit, 1.0, compared.protocol.scale)
     return [
-        (value, _share(change, wanted, compared)) for value, change in zip(one.sizes, one.changes)
+        (value / factor, _share(change, wanted, compared))
+        for value, change in zip(one.sizes, one.changes)
     ]
 
 

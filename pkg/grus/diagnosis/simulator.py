@@ -109,7 +109,8 @@ class Simulator:
         return self.card.with_overrides({"seed": seed})
 
     def _card(self, test: Test) -> Card:
-        card = test.base.apply(self.card, self.protocol.highest).with_overrides({"seed": test.seed})
+        highest = self.protocol.scale * self.protocol.highest
+        card = test.base.apply(self.card, highest).with_overrides({"seed": test.seed})
         if CLOCKED in dict(test.mechanisms):
             card = card.with_overrides({"oedometer.stages": list(self.protocol.stages)})
         for name, values in test.mechanisms:
@@ -125,9 +126,22 @@ class Simulator:
 
     def _written(self, test: Test, record: Record) -> Record:
         record = retimed(record, self.protocol, WETTED in dict(test.mechanisms))
+        record = rescaled(record, 1 / self.protocol.scale)
         for name, values in test.mechanisms:
             record = MECHANISMS[name].distort(record, dict(values))
         return record
+
+
+def rescaled(simulated: Record, factor: float) -> Record:
+    """A simulated test with all its stresses times a factor."""
+    if factor == 1:
+        return simulated
+    stresses = {n: factor * simulated[n] for n in simulated.channels if simulated.units[n] == "Pa"}
+    segments = tuple(
+        replace(s, stress_from=factor * s.stress_from, stress_to=factor * s.stress_to)
+        for s in simulated.segments
+    )
+    return replace(simulated, channels=simulated.channels | stresses, segments=segments)
 
 
 def retimed(simulated: Record, program: Protocol, wetted: bool) -> Record:

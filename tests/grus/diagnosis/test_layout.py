@@ -8,7 +8,7 @@ from formula import HOUR, compared, made_test
 
 from grus.diagnosis.layout import LOWEST, layout
 from grus.diagnosis.protocol import protocol
-from grus.diagnosis.simulator import retimed
+from grus.diagnosis.simulator import rescaled, retimed
 from grus.errors import GrusError
 from grus.record import Record
 
@@ -166,6 +166,24 @@ def test_a_simulation_has_the_times_of_the_recording():
     shown = retimed(simulated, protocol(recorded), wetted=False)
     assert shown["time"] == pytest.approx(recorded["time"], abs=1e-6)
     assert [s.t1 for s in shown.segments] == pytest.approx([s.t1 for s in recorded.segments])
+
+
+def test_stresses_far_from_those_of_the_small_model_are_scaled():
+    """By a power of ten, so that rockfill under 50 MPa has the program of rockfill under 500 kPa."""
+    one = made_test()
+    strong = rescaled(one, 100.0)
+    plan = protocol(strong)
+    assert plan.scale == 0.01 and plan.stages == protocol(one).stages
+    assert plan.highest == 100 * protocol(one).highest and protocol(one).scale == 1
+    weak = rescaled(one, 0.1)
+    assert protocol(weak).scale == 10
+
+
+def test_a_scaled_simulation_has_the_stresses_of_the_recording():
+    strong = rescaled(made_test(), 100.0)
+    view = compared(strong)
+    assert view.of(rescaled(made_test(), 100.0)) == pytest.approx(view.measured, abs=1e-12)
+    assert np.array_equal(strong["axial_strain"], made_test()["axial_strain"])
 
 
 def test_acoustic_events_are_shared_by_holds():

@@ -68,7 +68,7 @@ def _strains(before: Error, after: Error, scale: float) -> tuple[str, str, str]:
 
 def calibration(d: Diagnosis) -> Table:
     """Ordinary parameters before and after calibration."""
-    scale, highest = d.calibration.stiffness, d.protocol.highest
+    scale, highest = d.stiffness, d.protocol.highest
     strength = d.calibration.base.strength_factor(d.small, highest)
     contact, bond = d.small.contact, d.small.bond
     stiffnesses = {

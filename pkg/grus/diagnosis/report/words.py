@@ -138,7 +138,7 @@ def _calibrated(d: Diagnosis) -> str:
     strength = d.calibration.base.strength_factor(d.small, d.protocol.highest)
     tensile = quantity(strength * float(d.small.bond.tensile_strength), "Pa")
     return (
-        f"Calibration: stiffness of contacts and bonds times {number(d.calibration.stiffness)}, "
+        f"Calibration: stiffness of contacts and bonds times {number(d.stiffness)}, "
         f"tensile strength of bonds {tensile}."
     )
 
