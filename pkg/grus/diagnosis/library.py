@@ -14,7 +14,7 @@ from grus.diagnosis.simulator import Simulator, Test
 from grus.errors import GrusError
 from grus.record import Record
 
-SPREAD = {"strength": 1.0, "friction": 0.2, "stiffness": 0.25}
+SPREAD = {"strength": 1.0, "friction": 0.2, "stiffness": 0.6}
 """Standard deviation of the ordinary parameters after calibration: of the strength in its steps, else of logarithms."""
 
 

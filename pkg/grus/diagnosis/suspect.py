@@ -10,6 +10,8 @@ from grus.diagnosis.layout import Layout
 
 LEVEL, SHAPE = 0.4, 0.25
 """Scatter of an effect from stage to stage and from cell to cell of it, as a share: another specimen, another law."""
+RATIO = 0.2
+"""Scatter of a change of stress ratios from stage to stage: what walls carry follows from one coefficient."""
 MATTERS = 0.1
 """Effect in a stage over the largest, from which its sign is looked at."""
 EVENTS = 0.6
@@ -111,12 +113,12 @@ def looseness(
     covariance = np.zeros((len(change), len(change)))
     for stage in {e.stage for e in compared.entries}:
         own = compared.where(stage=stage)
-        part = np.where(own & ~heard, change, 0.0)
-        covariance += np.outer(level * part, level * part)
         strain = own & compared.where(channel="strain")
+        together = np.where(own & ~heard, np.where(strain | exact, level, RATIO) * change, 0.0)
+        covariance += np.outer(together, together)
         # A cell where little is expected may still have some of what its stage has.
         usual = np.abs(change[strain]).mean() if strain.any() else 0.0
-        spread = np.where(strain, shape * np.maximum(np.abs(part), 0.5 * usual), 0.0)
+        spread = np.where(strain, shape * np.maximum(np.abs(change), 0.5 * usual), 0.0)
         covariance += np.diag(spread**2)
     return covariance + np.diag(np.where(heard, EVENTS * change, 0.0) ** 2)
 

@@ -33,6 +33,7 @@ def _confusion(found: Score) -> plt.Figure:
     said = sorted({s for row in found.confusion.values() for s in row})
     counts = np.array([[found.confusion[t].get(s, 0) for s in said] for t in truths])
     figure, axes = plt.subplots(figsize=(2.5 + 0.45 * len(said), 2 + 0.28 * len(truths)))
+    axes.grid(False)
     axes.imshow(counts, cmap="Blues", vmin=0, vmax=max(counts.max(), 1) * 1.5, aspect="auto")
     for (i, j), count in np.ndenumerate(counts):
         if count:
