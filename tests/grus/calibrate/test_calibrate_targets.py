@@ -45,7 +45,7 @@ def test_recording_as_a_curve(card, write, tmp_path):
 
 def test_shipped_targets_fit_the_shipped_card():
     card = Card.from_file(MODELS / "montesinho.toml")
-    assert read_targets(MODELS / "montesinho-targets.toml", card).parameters
+    assert read_targets(MODELS / "targets" / "montesinho.toml", card).parameters
 
 
 def test_targets_on_the_page_are_good(write):
