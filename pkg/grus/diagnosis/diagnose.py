@@ -12,6 +12,7 @@ from grus.diagnosis.calibration import calibrate
 from grus.diagnosis.collapse import Collapse
 from grus.diagnosis.creep import Creep
 from grus.diagnosis.diagnosis import Diagnosis
+from grus.diagnosis.draining import Draining
 from grus.diagnosis.estimate import culprits
 from grus.diagnosis.evidence import Explanation, explanations
 from grus.diagnosis.fingerprint import Fingerprint
@@ -142,6 +143,7 @@ def suspects(compared: Layout, made: Library) -> list[Suspect]:
     broken = float((compared.measured - made.scatter.elastic)[loads].sum())
     return [
         *(_known(one, compared, broken) for one in made.fingerprints),
+        Draining(compared),
         *(Unknown(where, compared, typical) for where in UNKNOWN if where != "ratio" or ratios),
     ]
 

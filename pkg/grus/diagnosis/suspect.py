@@ -19,6 +19,7 @@ EVENTS = 0.6
 EXACT = 0.03
 """The same of what an instrument does, which depends on no specimen."""
 UNKNOWN = {"hold": "strain at constant stress", "ramp": "stiffness", "ratio": "stress ratios"}
+SPOKEN = UNKNOWN | {"draining": "strain that lags behind stress, as with pore water"}
 """Where something unknown may show, and what it changes."""
 TIMES = (0.005, 0.02, 0.1, 0.4)
 """Characteristic times of unknown courses in a hold, over its length."""

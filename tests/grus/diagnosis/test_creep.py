@@ -8,6 +8,7 @@ from formula import compared, made_test
 
 from grus.diagnosis.collapse import Collapse
 from grus.diagnosis.creep import Creep, course, renewed
+from grus.diagnosis.draining import Draining
 from grus.diagnosis.evidence import explanations
 from grus.diagnosis.fingerprint import Fingerprint
 from grus.diagnosis.suspect import Known, Unknown
@@ -102,3 +103,26 @@ def test_collapse_is_told_from_creep_by_its_jump():
     assert decide(found).named == ("wetting_collapse",)
     best = next(e for e in found if e.names == ("wetting_collapse:strength_factor",)).best()[0]
     assert best == pytest.approx(2e-4, rel=0.6)
+
+
+def test_pore_water_is_no_creep():
+    """Strain lags behind each change of stress and comes to an end, after unloading too."""
+    record = made_test(noise=2e-6)
+    strain = record["axial_strain"].copy()
+    for ramp, hold in zip(record.segments[:-1:2], record.segments[1::2]):
+        own = slice(hold.first, hold.last + 1)
+        passed = record["time"][own] - hold.t0
+        late = 0.5 * (strain[ramp.last] - strain[ramp.first]) * (1 - np.exp(-passed / 3000))
+        strain[own] += late
+        strain[hold.last + 1 :] += late[-1]
+    view = compared(replace(record, channels=record.channels | {"axial_strain": strain}))
+    plain = view.of(made_test())
+    scatter = np.diag((0.1 * np.abs(plain) + 1e-6) ** 2)
+    suspects = [
+        Creep(fingerprint("bond_ageing", view, [1e-5, 5e-3]), view),
+        Draining(view),
+        Unknown("hold", view, np.abs(plain)),
+    ]
+    found = explanations(view.measured - plain, scatter + view.noise, suspects)
+    assert decide(found).kind == "unknown"
+    assert found[0].names == ("unknown:draining",)

@@ -11,7 +11,7 @@ from grus.diagnosis.layout import Layout
 from grus.diagnosis.locate import StageMisfit
 from grus.diagnosis.report.spoken import chances, number, probability, quantity, size, strain
 from grus.diagnosis.report.stages import CHANNELS, done, numbers
-from grus.diagnosis.suspect import UNKNOWN
+from grus.diagnosis.suspect import SPOKEN
 from grus.diagnosis.verdict import DECIDED, POSSIBLE
 from grus.mechanisms import MECHANISMS
 
@@ -131,7 +131,7 @@ def _unknown_parts(d: Diagnosis) -> list[str]:
     """What changes, of the most probable explanation with something unknown."""
     best = next((e for e in d.explanations if any("unknown:" in n for n in e.names)), None)
     names = [] if best is None else [n for n in best.names if n.startswith("unknown:")]
-    return [UNKNOWN[n.removeprefix("unknown:")] for n in names] or ["the test"]
+    return [SPOKEN[n.removeprefix("unknown:")] for n in names] or ["the test"]
 
 
 def _calibrated(d: Diagnosis) -> str:
