@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.special import logsumexp, softmax
+from scipy.special import softmax
 
 from grus.statistics.likelihood import best_location, log_likelihood, maximum_likelihood
 from grus.statistics.likelihood_region import crossing

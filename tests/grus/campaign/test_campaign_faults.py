@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
-from campaigns import SEEDS, WARM, assert_same, until
+from campaigns import SEEDS, assert_same, until
 
 from grus.campaign import Store, campaign
 

@@ -12,7 +12,6 @@ import pytest
 
 from grus.errors import GrusError
 from grus.oedometer import oedometer
-from grus.oedometer.files import GROUPS, NUMBERS
 
 RUN = """
 import sys
