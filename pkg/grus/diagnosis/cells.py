@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from grus.diagnosis.jump import Jump, places
+from grus.diagnosis.jump import Jump, noise_of_strain, places
 from grus.record import Record, Segment
 
 RAMP_CELLS = 4
@@ -21,8 +21,6 @@ FEWEST = 3
 """Readings that a cell has, at least."""
 CLEARLY = 4.0
 """Variance of the readings of a cell over that of the stage, from which it counts."""
-FLOOR = 2e-6
-"""Strain [-] below which no recording is believed."""
 
 
 @dataclass(frozen=True)
@@ -57,7 +55,7 @@ def cells(
     rows = np.arange(segment.first, segment.last + 1)
     strain = record["axial_strain"][rows]
     rows = rows[np.isfinite(strain)]
-    sigma = max(segment.noise.get("axial_strain", 0.0), FLOOR)
+    sigma = noise_of_strain(segment)
     ends: tuple[float, ...] = ()
     if segment.kind == "hold":
         at = places(record, segment, rows)

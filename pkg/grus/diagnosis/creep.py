@@ -12,9 +12,9 @@ from itertools import product
 
 import numpy as np
 
-from grus.diagnosis.fingerprint import Fingerprint
+from grus.diagnosis.avalanche import Avalanche
 from grus.diagnosis.layout import Layout
-from grus.diagnosis.suspect import Known, looseness, stage_levels
+from grus.diagnosis.suspect import looseness
 
 EXPONENT = 20.0
 """Of used-up life with stress; what comes out hardly depends on it above 10."""
@@ -36,22 +36,13 @@ avalanches."""
 
 
 @dataclass(frozen=True)
-class Creep(Known):
-    """Bond ageing, with amounts of creep in all holds together, and courses with time and stress.
-
-    broken: strain of first loading that comes from breakage [-]; acoustic events go with it as with delayed strain.
-    """
-
-    fingerprint: Fingerprint
-    compared: Layout
-    broken: float = 0.0
+class Creep(Avalanche):
+    """Bond ageing, with amounts of creep in all holds together, and courses with time and stress."""
 
     @property
     def cases(self) -> list[tuple[float, float, float]]:
         """Amount of strain in all holds, time from which it grows [s], exponent with stress."""
-        strain = self.compared.measured[self.compared.where(channel="strain", kind="load")]
-        scale = max(float(np.abs(strain).sum()), 1e-5)
-        amounts = scale * np.geomspace(LEAST, MOST, AMOUNTS)
+        amounts = self.first_loading() * np.geomspace(LEAST, MOST, AMOUNTS)
         # A grid that is thinned shows all amounts first.
         return [(a, t, p) for a, (t, p) in product(amounts, product(TIMES, POWERS))]
 
@@ -59,9 +50,15 @@ class Creep(Known):
     def grid(self) -> np.ndarray:
         return np.arange(len(self.cases), dtype=float)
 
+    def amount(self, size: float) -> float:
+        return self.cases[int(size)][0]
+
     def change(self, size: float) -> np.ndarray:
         amount, time, power = self.cases[int(size)]
-        return heard(self.compared, amount * course(self.compared, time, power), self.broken)
+        return self.heard(amount * course(self.compared, time, power))
+
+    def acts(self) -> np.ndarray:
+        return self.compared.where(channel="strain", kind="hold")
 
     def effect(self, size: float) -> tuple[np.ndarray, np.ndarray]:
         change = self.change(size)
@@ -75,50 +72,10 @@ class Creep(Known):
             spread += np.outer(own, own)
         return change, spread
 
-    def levels(self, size: float) -> np.ndarray:
-        return stage_levels(self.compared, self.change(size))
-
     def value(self, size: float) -> float:
         """Reference time [s] at which the DEM creeps by the same amount in all holds; linear in the logarithms."""
-        amount = self.cases[int(size)][0]
-        ran, sizes = self._amounts()
-        found = np.exp(np.interp(np.log(amount), np.log(ran), np.log(sizes)))
-        return float(found)
-
-    def bracket(self, size: float) -> tuple[float, ...]:
-        """The neighbouring sizes that were run: between them few specimens come to one avalanche more or less."""
-        ran, sizes = self._amounts()
-        above = (
-            int(np.clip(np.searchsorted(ran, self.cases[int(size)][0]), 1, len(ran) - 1))
-            if len(ran) > 1
-            else 0
-        )
-        return tuple(float(one) for one in sizes[max(above - 1, 0) : above + 1])
-
-    def outside(self, size: float) -> bool:
-        ran, _ = self._amounts()
-        return not ran[0] <= self.cases[int(size)][0] <= ran[-1]
-
-    def _amounts(self) -> tuple[np.ndarray, np.ndarray]:
-        """Strain in all holds of the DEM at each size, growing, and the sizes."""
-        holds = self.compared.where(channel="strain", kind="hold")
-        ran = np.maximum(self.fingerprint.changes[:, holds].sum(axis=1), 1e-7)
-        ran = np.maximum.accumulate(ran * (1 + 1e-9 * np.arange(len(ran))))
-        return ran, np.array(self.fingerprint.sizes)
-
-
-def heard(compared: Layout, change: np.ndarray, broken: float) -> np.ndarray:
-    """The change (n,) of strain in holds with the share of acoustic events that goes with it.
-
-    broken: strain of first loading that comes from breakage and is heard as well [-].
-    """
-    result = change.copy()
-    strain = compared.where(channel="strain")
-    whole = change[strain].sum() + max(broken, 0.0)
-    for entry in np.flatnonzero(compared.where(channel="events")):
-        own = strain & compared.where(stage=compared.entries[entry].stage)
-        result[entry] = change[own].sum() / max(whole, 1e-12)
-    return result
+        ran, sizes = self.amounts()
+        return float(np.exp(np.interp(np.log(self.amount(size)), np.log(ran), np.log(sizes))))
 
 
 def course(compared: Layout, time: float, power: float) -> np.ndarray:

@@ -63,9 +63,8 @@ def _of_hold(record: Record, segment: Segment, stage: int) -> Jump | None:
                 continue
             freedom = len(kept) - design.shape[1]
             sigma = max(
-                segment.noise.get("axial_strain", 0.0),
+                noise_of_strain(segment),
                 float(np.linalg.norm(strain[kept] - design @ found)) / np.sqrt(freedom),
-                FLOOR,
             )
             error = sigma * np.sqrt(np.linalg.inv(design.T @ design)[-1, -1])
             whole = strain[-AROUND:].mean() - strain[at >= SETTLED][:AROUND].mean()
@@ -75,6 +74,11 @@ def _of_hold(record: Record, segment: Segment, stage: int) -> Jump | None:
             ):
                 best = Jump(stage, float(at[last]), float(at[first]), step)
     return best
+
+
+def noise_of_strain(segment: Segment) -> float:
+    """Standard deviation [-] of a reading."""
+    return max(segment.noise.get("axial_strain", 0.0), FLOOR)
 
 
 def places(record: Record, segment: Segment, rows: np.ndarray) -> np.ndarray:
