@@ -11,7 +11,7 @@ from grus.oedometer.test import record
 from grus.preparation import prepare
 from grus.preparation.press import element_stiffness
 from grus.preparation.walls import add_walls
-from grus.scene import GrainEngines, grain_material, insert, snapshot
+from grus.scene import CALMING, GrainEngines, grain_material, insert, set_damping, snapshot
 from grus.scene.vtk import write_vtk
 from grus.script import arguments
 
@@ -66,6 +66,7 @@ for stage in test.stages:
     targets.append(targets[-1] if stage.stress is None else stage.stress)
 for number, target in enumerate(targets):
     servo.tolerance = test.tolerance if number else SEATING
+    set_damping(test.damping if number else CALMING)
     servo.begin(target)
     O.run(-1, True)
     strain, breaks = f"{100 * servo.strain:.4f} %", engines.ledger.breaks

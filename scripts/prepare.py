@@ -6,7 +6,7 @@ import numpy as np
 import grus  # makes Grus's classes known to YADE
 from grus.preparation.compaction import Compaction, start_box
 from grus.preparation.diameters import base, diameters
-from grus.preparation.exo import grow, place
+from grus.preparation.exo import grow, place, solid_fraction
 from grus.preparation.grain import sized_grain
 from grus.preparation.preparation import specimen_key
 from grus.preparation.seating import seat
@@ -23,7 +23,7 @@ print(f"{len(grains)} grains, {sum(grain.element_count for grain in grains)} ele
 
 # Exo-spheres around them find a place at random while they are small, then grow to hold the grains.
 reach = np.array([(np.linalg.norm(g.position, axis=1) + g.radius).max() for g in grains])
-box = start_box(card, reach, base(card))
+box = start_box(card, reach, base(card), solid_fraction(card))
 places = place(card.preparation.start_factor * reach, box, stream(card.seed, Step.PLACES))
 centres = grow(card, places, reach, box)
 

@@ -51,7 +51,8 @@ def _default(parameter: click.Parameter) -> str:
     if isinstance(shown, str):
         return shown
     if getattr(parameter, "is_flag", False):
-        return "off"
+        both = parameter.opts if parameter.default else parameter.secondary_opts
+        return f"``{both[0]}``" if parameter.secondary_opts else "off"
     return "none" if parameter.default is None else f"``{parameter.default}``"
 
 

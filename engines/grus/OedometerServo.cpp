@@ -121,7 +121,8 @@ void OedometerServo::look() {
     unbalanced = unbalancedForce(*scene);
     const Real elapsed = scene->time - lookTime;
     const Real rate = elapsed > 0 ? (lookHeight - height) / height / elapsed : 0;
-    const Real elastic = elasticEnergy(*scene), kinetic = kineticEnergy(*scene);
+    const Real elastic = elasticEnergy(*scene);
+    kinetic = kineticEnergy(*scene);
     if (!std::isfinite(elastic + kinetic))
         throw std::runtime_error("OedometerServo: the motion of a grain is not a number");
     const Real axial = axialStress();

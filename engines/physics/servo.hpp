@@ -34,14 +34,17 @@ struct Calm {
     int breaks;
 };
 
-/// Next speed limit [m/s]: back to `slow` while bonds break or a limit is passed, else `growth` times faster up to
-/// `fast`.
+/// Next speed limit [m/s]: back to `slow` while bonds break, `growth` times slower while a limit is passed, though not
+/// below `slow`, else `growth` times faster up to `fast`. So the limit stays near the speed at which the test is just
+/// quasi-static.
 inline double nextSpeedLimit(double now, double slow, double fast, double growth, const Calm& calm,
                              const QuasiStatic& limits) {
-    const bool quiet = calm.breaks == 0 && calm.found.inertialNumber <= limits.inertialNumber &&
+    const bool quiet = calm.found.inertialNumber <= limits.inertialNumber &&
                        calm.found.kineticShare <= limits.kineticShare &&
                        calm.found.stressGradient <= limits.stressGradient;
-    return quiet ? std::min(fast, now * growth) : slow;
+    if (calm.breaks > 0)
+        return slow;
+    return quiet ? std::min(fast, now * growth) : std::max(slow, now / growth);
 }
 
 }

@@ -37,7 +37,7 @@ import grus, yade, yade.wrapper
 from yade import *
 from yade.wrapper import BondMat as same
 assert grus.BondMat is yade.BondMat is yade.wrapper.BondMat is BondMat is same
-assert grus.__version__ == "0.1.0"
+assert grus.__version__ == "0.2.0"
 assert O.isChildClassOf("BondMat", "FrictMat")
 assert BondMat().dispHierarchy() == ["BondMat", "FrictMat", "ElastMat", "Material"]
 from yade import system

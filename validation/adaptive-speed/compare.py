@@ -13,12 +13,11 @@ from tests import FAST, FIGURES, SEEDS, tested
 SETTINGS = {
     "constant": {},
     "adaptive": {"fastSpeed": FAST},
-    "growth": {"fastSpeed": 0.3, "speedGrowth": 1.5},
+    "strict": {"fastSpeed": FAST, "kineticLimit": 1e-3},
     "loose": {
         "fastSpeed": 0.3,
-        "speedGrowth": 1.5,
         "inertialLimit": 1e-2,
-        "kineticLimit": 1e-2,
+        "kineticLimit": 1e-1,
         "gradientLimit": 0.1,
     },
 }

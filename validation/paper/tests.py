@@ -9,12 +9,21 @@ import grus
 ROOT = Path(__file__).resolve().parents[2]
 RESULTS = Path(os.environ.get("GRUS_RESULTS", ROOT / "results")) / "validation-paper"
 ALL = 1520  # grains of the paper
+SEEDS = (1, 2, 3)
+SPEEDS = (0.01, 0.5, 1.0, 2.0)  # m/s, those of the paper's rate study
+PRINTED, CHOSEN = 1.0, 3.0  # strength of bonds [MPa]
+FAST = 0.1  # m/s, of tests at an adaptive speed
+GRAINS = 300
+FIGURES = Path(__file__).resolve().parent / "figures"
 
 
-def card(grains: int, seed: int, speed: float, strength: float) -> grus.Card:
-    """The shipped card with the box scaled to the number of grains; slow tests go at 0.1 m/s where nothing breaks.
+def card(
+    grains: int, seed: int, speed: float, strength: float, adaptive: bool = False
+) -> grus.Card:
+    """The shipped card with the box scaled to the number of grains.
 
-    speed: of the platens [m/s]. strength: of bonds in tension and in shear [MPa]; 1 is printed.
+    speed: of the platens [m/s]; `adaptive`: only where bonds break or the test is not quasi-static, else up to FAST.
+    strength: of bonds in tension and in shear [MPa].
     """
     scale = sqrt(grains / ALL)
     return grus.Card.from_file(ROOT / "models" / "montesinho.toml").with_overrides(
@@ -26,16 +35,22 @@ def card(grains: int, seed: int, speed: float, strength: float) -> grus.Card:
             "bond.tensile_strength": f"{strength:g} MPa",
             "bond.shear_strength": f"{strength:g} MPa",
             "oedometer.speed": f"{speed:g} m/s",
-            "oedometer.fast_speed": f"{max(speed, 0.1):g} m/s",
+            "oedometer.fast_speed": f"{FAST if adaptive else speed:g} m/s",
         }
     )
 
 
-def folder(grains: int, seed: int, speed: float, strength: float) -> Path:
+def packing(grains: int, seed: int) -> grus.Card:
+    """The card of the prepared specimen, which tests at all speeds and strengths share."""
+    return card(grains, seed, SPEEDS[0], PRINTED)
+
+
+def folder(grains: int, seed: int, speed: float, strength: float, adaptive: bool = False) -> Path:
     """Where the results of a test lie."""
-    return RESULTS / f"grains-{grains}-seed-{seed}-speed-{speed:g}-strength-{strength:g}"
+    how = "adaptive" if adaptive else f"speed-{speed:g}"
+    return RESULTS / f"grains-{grains}-seed-{seed}-{how}-strength-{strength:g}"
 
 
 def specimens() -> Path:
-    """Prepared specimens, which the tests at all speeds share."""
+    """Prepared specimens."""
     return RESULTS / "specimens"

@@ -1,65 +1,90 @@
-"""Timings as a table and as JSON."""
+"""Timings as a table and as figures for JSON."""
 
-import json
 import math
 from collections.abc import Sequence
 from dataclasses import asdict
-from pathlib import Path
 
 from rich.console import Console
 from rich.table import Table
 
-from grus.bench.cases import LOOPS
+from grus.bench.cases import LOOPS, OTHER_CODES, Case
 from grus.bench.measure import Timing
-from grus.files import write_text
 
 
 def summary(timings: Sequence[Timing]) -> dict:
     """Everything measured, and `ratio`: duration of a step of each loop over that of GrainLoop.
 
-    The ratio is the geometric mean over the cases with one thread and the most elements, stamped ones where there are.
+    The ratio is the geometric mean over the loop's cases with one thread and the most elements, stamped ones where
+    there are. `not_installed` names the loops that a case could not be measured with.
     """
-    single = [t for t in timings if t.case.threads == 1]
-    chosen = [t for t in single if t.case.stamped] or single
-    largest = max(t.case.elements for t in chosen)
-    ratios = {}
-    for loop in LOOPS:
-        logs = [
-            math.log(t.step / fastest.step)
-            for t in chosen
-            for fastest in chosen
-            if t.loop == loop and fastest.loop == "grainloop" and t.case == fastest.case
-            if t.case.elements == largest
-        ]
-        if loop != "grainloop" and logs:
-            ratios[f"{loop}_over_grainloop"] = math.exp(sum(logs) / len(logs))
+    names = [loop for loop in LOOPS | OTHER_CODES if loop != "grainloop"]
+    ratios = {f"{loop}_over_grainloop": _ratio(timings, loop) for loop in names}
+    absent = {case.name: _absent(timings, case) for case in _cases(timings)}
     return {
-        "ratio": ratios,
+        "ratio": {name: ratio for name, ratio in ratios.items() if ratio},
+        "not_installed": {case: found for case, found in absent.items() if found},
         "timings": [
-            asdict(t) | {"case": asdict(t.case), "seconds_per_bond": t.per_bond} for t in timings
+            asdict(t) | {"seconds_per_bond": t.per_bond, "element_steps_per_second": t.rate}
+            for t in timings
         ],
     }
 
 
-def write(folder: str | Path, timings: Sequence[Timing]) -> Path:
-    """Writes bench.json into `folder`; returns its path."""
-    path = Path(folder) / "bench.json"
-    path.parent.mkdir(parents=True, exist_ok=True)
-    return write_text(path, json.dumps(summary(timings), indent=2) + "\n")
-
-
 def print_table(timings: Sequence[Timing], console: Console) -> None:
-    """One line a case and loop."""
-    table = Table("case", "loop", "elements", "bonds", "ms a step", "ns a bond", "over GrainLoop")
-    fastest = {t.case: t.step for t in timings if t.loop == "grainloop"}
-    for t in timings:
-        table.add_row(
-            t.case.name,
-            LOOPS[t.loop],
-            str(t.elements),
-            str(t.bonds),
-            f"{1e3 * t.step:.3g}",
-            f"{1e9 * t.per_bond:.3g}",
-            f"{t.step / fastest[t.case]:.3g}",
+    """A table a case, one line a loop; fits into 80 columns."""
+    found = {(t.case, t.loop): t for t in timings}
+    for case in _cases(timings):
+        size = next(t for t in timings if t.case == case)
+        table = Table(
+            title=f"{case.name}: {size.elements} elements, {size.bonds} bonds",
+            title_justify="left",
         )
-    console.print(table)
+        table.add_column("loop", width=28)
+        for heading in ("ms/step", "ns/bond", "10⁶ element-\nsteps/s", "over\nGrainLoop"):
+            table.add_column(heading, justify="right")
+        grus = found.get((case, "grainloop"))
+        for loop, title in case.loops.items():
+            if t := found.get((case, loop)):
+                table.add_row(title, *_figures(t, grus))
+            else:
+                table.add_row(f"{title}\n(not installed)")
+        console.print(table)
+
+
+def _figures(t: Timing, grus: Timing | None) -> list[str]:
+    figures = [1e3 * t.step, 1e9 * t.per_bond, 1e-6 * t.rate]
+    figures += [t.step / grus.step] if grus else []
+    return [f"{value:.0f}" if value >= 100 else f"{value:.3g}" for value in figures]
+
+
+def _ratio(timings: Sequence[Timing], loop: str) -> float | None:
+    """None where the loop was not measured on one thread beside GrainLoop."""
+    steps = _steps(timings)
+    both = [
+        case
+        for case in _cases(timings)
+        if case.threads == 1 and (case, loop) in steps and (case, "grainloop") in steps
+    ]
+    if not both:
+        return None
+    both = [case for case in both if case.stamped] or both
+    largest = max(case.elements for case in both)
+    logs = [
+        math.log(steps[case, loop] / steps[case, "grainloop"])
+        for case in both
+        if case.elements == largest
+    ]
+    return math.exp(sum(logs) / len(logs))
+
+
+def _cases(timings: Sequence[Timing]) -> list[Case]:
+    return list(dict.fromkeys(t.case for t in timings))
+
+
+def _steps(timings: Sequence[Timing]) -> dict[tuple[Case, str], float]:
+    return {(t.case, t.loop): t.step for t in timings}
+
+
+def _absent(timings: Sequence[Timing], case: Case) -> list[str]:
+    steps = _steps(timings)
+    return [loop for loop in OTHER_CODES if loop in case.loops and (case, loop) not in steps]

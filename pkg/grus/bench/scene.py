@@ -1,6 +1,5 @@
-"""The same block of bonded elements for every loop."""
+"""The block of bonded elements in YADE, the same for every law."""
 
-import math
 from collections.abc import Callable
 
 import numpy as np
@@ -26,24 +25,21 @@ from yade.wrapper import (
     State,
 )
 
+from grus.bench.block import (
+    DENSITY,
+    RADIUS,
+    SKIN,
+    STIFFNESS,
+    UNBREAKABLE,
+    block,
+    time_step,
+    velocities,
+)
 from grus.bench.cases import SUBSTEPS, Case
 from grus.host.differences import leapfrog, set_moment_bounds
 from grus.scene import InteractionEngines, bond, insert
-from grus.specimen import Circle, Specimen, Sphere, Stamp, agglomerate
 
-RADIUS = 1e-3  # of an element [m]
-STIFFNESS = 1e8  # of contact and bond [N/m]
-UNBREAKABLE = 1e15  # [Pa]
 REACH = 1.01  # of the sum of the radii, within which elements are bonded
-
-
-def block(case: Case) -> Specimen:
-    """A disc or ball of elements in closest packing."""
-    filled = math.pi / math.sqrt(12) if case.dimension == 2 else math.pi / math.sqrt(18)
-    diameter = 2 * RADIUS * (case.elements / filled) ** (1 / case.dimension)
-    outline = Circle(diameter) if case.dimension == 2 else Sphere(diameter)
-    stamp = Stamp(mean=2.1 * RADIUS, deviation=0) if case.stamped else None
-    return agglomerate(outline, element_radius=RADIUS, stamp=stamp, seed=1, grain=0)
 
 
 def build(case: Case, loop: str) -> tuple[int, int]:
@@ -51,7 +47,7 @@ def build(case: Case, loop: str) -> tuple[int, int]:
     specimen = block(case)
     thickness = 1.0 if case.dimension == 2 else 0.0
     grain = BondMat(
-        density=2500,
+        density=DENSITY,
         kn=STIFFNESS,
         ks=STIFFNESS,
         frictionAngle=0.5,
@@ -63,16 +59,16 @@ def build(case: Case, loop: str) -> tuple[int, int]:
         thickness=thickness,
     )
     insert(specimen, grain)
-    O.dt = 0.1 * math.sqrt(2500 * RADIUS**2 * (1.0 if thickness else RADIUS) / STIFFNESS)
+    O.dt = time_step(case.dimension)
     if loop in ("law2", "grainloop"):
         engines = InteractionEngines()
         O.engines = engines.list + [leapfrog(damping=0.2)]
         bonds = bond(specimen, engines)
         if loop == "grainloop":
-            O.engines = [GrainLoop(damping=0.2, ledger=BondLedger(), substeps=SUBSTEPS)]
+            O.engines = [GrainLoop(damping=0.2, ledger=BondLedger(), substeps=SUBSTEPS, skin=SKIN)]
     else:
         bonds = _yades(*RIVALS[loop])
-    _shake()
+    _shake(case.dimension)
     return specimen.element_count, bonds
 
 
@@ -122,7 +118,7 @@ def _cohfrict_material() -> CohFrictMat:
     return CohFrictMat(
         young=STIFFNESS / RADIUS,
         poisson=1,
-        density=2500,
+        density=DENSITY,
         isCohesive=True,
         momentRotationLaw=True,
         alphaKr=1,
@@ -136,7 +132,7 @@ def _jcfpm_material() -> JCFpmMat:
     return JCFpmMat(
         young=STIFFNESS / RADIUS,
         poisson=1,
-        density=2500,
+        density=DENSITY,
         tensileStrength=UNBREAKABLE,
         cohesion=UNBREAKABLE,
     )
@@ -156,13 +152,8 @@ RIVALS = {
 }
 
 
-def _shake() -> None:
-    """Small velocities, so that every bond has something to do."""
-    random = np.random.default_rng(1)
-    for body in O.bodies:
-        if not body.isClumpMember:
-            velocity = 1e-3 * (random.random(3) - 0.5)
-            body.state.vel = [
-                0 if axis in body.state.blockedDOFs else float(v)
-                for axis, v in zip("xyz", velocity)
-            ]
+def _shake(dimension: int) -> None:
+    """Gives the bodies their velocities."""
+    bodies = [body for body in O.bodies if not body.isClumpMember]
+    for body, velocity in zip(bodies, velocities(len(bodies), dimension).tolist()):
+        body.state.vel = velocity

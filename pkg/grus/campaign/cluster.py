@@ -9,9 +9,10 @@ from pathlib import Path
 import dask
 from distributed import Client, LocalCluster
 
+from grus.campaign.processes import start_ahead
 from grus.campaign.store import Tell, quiet
 from grus.errors import GrusError, one_line
-from grus.host.processes import ignored_interrupts, surroundings
+from grus.campaign.surroundings import ignored_interrupts, surroundings
 
 CONNECT = 20.0
 """Seconds after which a scheduler counts as not to be reached."""
@@ -20,13 +21,18 @@ WORKERS = "/info/main/workers.html"
 
 
 @contextmanager
-def workers(jobs: int, scheduler: str | None = None, tell: Tell = quiet) -> Iterator[Client]:
+def workers(
+    jobs: int, scheduler: str | None = None, tell: Tell = quiet, ahead: bool = True
+) -> Iterator[Client]:
     """Client of `jobs` worker processes of this machine, or of the scheduler at this address or with this scheduler file.
 
+    ahead: whether workers of this machine have YADE loaded for their first simulation before it comes.
     Raises GrusError when there is no scheduler.
     """
     if scheduler is None:
         with _local(jobs) as cluster, Client(cluster) as client:
+            if ahead:
+                client.run(start_ahead)
             tell(f"Dask's workers: {_page(client)}")
             yield client
         return

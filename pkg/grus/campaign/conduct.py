@@ -17,6 +17,7 @@ from grus.errors import GrusError
 from grus.preparation.preparation import specimen_key
 
 Progress = Callable[[int, int], None]
+Ended = Callable[[Outcome], None]
 
 
 def campaign(
@@ -27,6 +28,7 @@ def campaign(
     time_limit: float | None = None,
     memory_limit: int | None = None,
     progress: Progress | None = None,
+    ended: Ended | None = None,
     deadline: float | None = None,
     tell: Tell = quiet,
     client: Client | None = None,
@@ -39,8 +41,8 @@ def campaign(
     in the result. A process that breaks is followed by one more; a run that fails does not stop the others, and is
     tried again by the next campaign unless its card is to blame.
     time_limit [s] and memory_limit [bytes] are those of one process. By default there is no time limit, and processes
-    of this machine share its memory in equal parts. `progress(done, of)` is called after each run, `tell(line)` when
-    there is something to say.
+    of this machine share its memory in equal parts. `ended(outcome)` is called with each outcome as soon as it is there, at
+    once with those that need no run; then `progress(done, of)`; `tell(line)` when there is something to say.
     Raises GrusError for bad limits, and when the scheduler cannot be reached or is lost; OSError when the store cannot
     be written. What is finished then, or at Ctrl-C, stays in the store.
     """
@@ -56,6 +58,10 @@ def campaign(
     wanted = {run.key: run for run in runs}
     found = {key: outcome for key in wanted if (outcome := store.find(key, tell))}
     missing = {key: run for key, run in wanted.items() if key not in found or not found[key].final}
+    ended = ended or (lambda outcome: None)
+    for key in wanted:
+        if key not in missing:
+            ended(found[key])
     count = _Count(len(wanted) - len(missing), len(wanted), progress)
     if missing:
         if memory_limit is None and scheduler is None:
@@ -70,6 +76,7 @@ def campaign(
                         found[key] = store.find(key, tell) or failure(
                             _job(missing[key], store, limits), report
                         )
+                        ended(found[key])
                     count.one_more()
         except OSError as error:
             # Dask's own, of a connection that is gone, has no number; that of a full disk has.

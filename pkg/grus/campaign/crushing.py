@@ -1,16 +1,17 @@
 """A crushing test of a campaign."""
 
+from grus.campaign.outcome import Findings
 from grus.campaign.run import Run
 from grus.campaign.store import Store
+from grus.crushing.arrays import to_arrays
 from grus.crushing.result import CrushingResult
 from grus.crushing.test import crush
-from grus.record import Record
 
 
-def simulate(run: Run, store: Store, restart: bool) -> tuple[Record, dict[str, float]]:
-    """Force and displacement of a grain."""
+def simulate(run: Run, store: Store, restart: bool) -> Findings:
+    """All that the test of a grain gives."""
     result = crush(run.card, run.grain)
-    return result.record, figures(result)
+    return Findings(result.record, figures(result), to_arrays(result))
 
 
 def figures(result: CrushingResult) -> dict[str, float]:

@@ -1,10 +1,11 @@
 """What a process is told to simulate; plain text, so that it can go to another machine."""
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from grus.campaign.run import Run
-from grus.card import Card
+if TYPE_CHECKING:
+    from grus.campaign.run import Run
+    from grus.card import Card
 
 SPECIMEN = "specimen"
 """Kind of a job that prepares a specimen, which is then in the store."""
@@ -38,10 +39,19 @@ class Job:
         names = ("key", "kind", "card", "grain", "specimen_card")
         return {name: getattr(self, name) for name in names}
 
-    def run(self) -> Run:
+    def run(self) -> "Run":
         """The run it stands for."""
-        other = self.specimen_card and Card.from_dict(self.specimen_card, self.source)
+        # Here, so that Dask's workers do not wait for it.
+        from grus.campaign.run import Run
+
+        other = self.specimen_card and _card(self.specimen_card, self.source)
         return Run(self.kind, self.made_card(), self.grain, other)
 
-    def made_card(self) -> Card:
-        return Card.from_dict(self.card, self.source)
+    def made_card(self) -> "Card":
+        return _card(self.card, self.source)
+
+
+def _card(keys: dict, source: str) -> "Card":
+    from grus.card import Card
+
+    return Card.from_dict(keys, source)

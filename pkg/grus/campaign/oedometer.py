@@ -2,23 +2,23 @@
 
 import math
 
+from grus.campaign.outcome import Findings
 from grus.campaign.run import Run
 from grus.campaign.store import Store
 from grus.oedometer import Analysis, OedometerResult, laboratory, oedometer
 from grus.oedometer.report import numbers
-from grus.record import Record
 
 TEXTS = ("card", "versions")
 
 
-def simulate(run: Run, store: Store, restart: bool) -> tuple[Record, dict[str, float]]:
+def simulate(run: Run, store: Store, restart: bool) -> Findings:
     """Laboratory record, and all numbers of the test's report."""
     result = _result(run, store, restart)
     found = numbers(result, Analysis.of(result))
-    return laboratory(result), flat({n: v for n, v in found.items() if n not in TEXTS})
+    return Findings(laboratory(result), flat({n: v for n, v in found.items() if n not in TEXTS}))
 
 
-def recording(run: Run, store: Store, restart: bool) -> tuple[Record, dict[str, float]]:
+def recording(run: Run, store: Store, restart: bool) -> Findings:
     """The same record, and only the numbers that need no analysis of grading and yield, which takes a second."""
     result = _result(run, store, restart)
     last = result.stages[-1]
@@ -30,7 +30,7 @@ def recording(run: Run, store: Store, restart: bool) -> tuple[Record, dict[str, 
         "K0.final": last.K0,
         "steps": float(last.steps),
     }
-    return laboratory(result), figures
+    return Findings(laboratory(result), figures)
 
 
 def _result(run: Run, store: Store, restart: bool) -> OedometerResult:

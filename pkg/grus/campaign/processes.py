@@ -7,8 +7,8 @@ import signal
 import subprocess
 import sys
 import tempfile
-import threading
 import time
+from contextlib import suppress
 from dataclasses import asdict
 from pathlib import Path
 
@@ -20,14 +20,29 @@ PACKAGES = str(Path(grus.__file__).resolve().parents[1])
 
 def simulate(job: Job, log: Path) -> int | None:
     """Exit code of a process that does the job and writes to `log`; None when its time was over."""
-    warm = getattr(_own, "warm", None)
-    if warm is None or not warm.alive:
-        warm = _own.warm = _Warm()
-    return warm.simulate(job, log)
+    warm = _free()
+    code = warm.simulate(job, log)
+    _idle.append(warm)
+    return code
 
 
-_own = threading.local()
-"""Each thread of a worker has a warm process of its own, since that does one job at a time."""
+def start_ahead() -> None:
+    """Starts a process that will have loaded YADE when the first job comes."""
+    _idle.append(_Warm())
+
+
+def _free() -> "_Warm":
+    # A list's own operations are safe between the threads of a worker.
+    while _idle:
+        with suppress(IndexError):  # another thread was quicker
+            warm = _idle.pop()
+            if warm.alive:
+                return warm
+    return _Warm()
+
+
+_idle: list["_Warm"] = []
+"""Processes that wait for a job; each does one at a time."""
 
 
 class _Warm:

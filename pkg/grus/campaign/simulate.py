@@ -4,24 +4,31 @@ import errno
 import resource
 import sys
 import time
+from collections.abc import Callable
 from dataclasses import replace
+from importlib import import_module
 
-from grus.campaign import crushing, oedometer
 from grus.campaign.exit_codes import DONE, REFUSED, UNWRITABLE
 from grus.campaign.job import SPECIMEN, Job
-from grus.campaign.outcome import Outcome
+from grus.campaign.outcome import Findings, Outcome
 from grus.campaign.store import Store
 from grus.campaign.versions import versions
 from grus.errors import GrusError, one_line
 from grus.preparation import prepare
 
 PROCEDURES = {
-    "crush": crushing.simulate,
-    "oedometer": oedometer.simulate,
-    "recording": oedometer.recording,
+    "crush": ("grus.campaign.crushing", "simulate"),
+    "oedometer": ("grus.campaign.oedometer", "simulate"),
+    "recording": ("grus.campaign.oedometer", "recording"),
 }
-"""(run, store, restart) -> (record, figures)."""
+"""Kind of a run -> module and function."""
 FULL = {errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EACCES}
+
+
+def procedure(kind: str) -> Callable[..., Findings]:
+    """What simulates runs of a kind: (run, store, restart) -> Findings. Its module is loaded at first use."""
+    module, name = PROCEDURES[kind]
+    return getattr(import_module(module), name)
 
 
 def simulate(job: Job) -> int:
@@ -56,8 +63,7 @@ def _test(job: Job) -> None:
     outcome = Outcome(**job.identity, versions=versions())
     start = time.monotonic()
     try:
-        record, figures = PROCEDURES[job.kind](run, store, restart)
-        outcome = replace(outcome, record=record, figures=figures)
+        outcome = replace(outcome, **vars(procedure(job.kind)(run, store, restart)))
     except GrusError as error:
         if resumed:  # what an earlier process has left may be to blame, and not the card
             store.forget_work(job.key)

@@ -10,17 +10,20 @@ import signal
 import sys
 import threading
 
-from grus.campaign.job import Job
-from grus.campaign.simulate import simulate
+from grus.campaign.job import SPECIMEN, Job
+from grus.campaign.simulate import procedure, simulate
 
 
 def main() -> None:
     # As long as no simulation has run here, YADE has no threads that a fork would lose.
     while line := _line():
-        job, log = json.loads(line)
+        keys, log = json.loads(line)
+        job = Job(**keys)
+        if job.kind != SPECIMEN:
+            procedure(job.kind)  # loaded here once, and not in every fork
         process = os.fork()
         if process == 0:
-            _simulate(Job(**job), log)
+            _simulate(job, log)
         _answer(process)
         _answer(os.waitstatus_to_exitcode(os.waitpid(process, 0)[1]))
 

@@ -3,6 +3,7 @@
 from typing import Optional
 
 import typer
+from rich.console import Console
 
 from grus.card import Card
 from grus.commands.progress import progress_bar
@@ -22,7 +23,10 @@ def crush(
 
     card = Card.from_file(model)
     with progress_bar("crushing") as show:
-        group = crush_group(card, grains, out, jobs, show)
+        tell = Console(stderr=True, highlight=False, soft_wrap=True).print
+        group = crush_group(card, grains, out, jobs, show, tell)
     result = write_report(group, out)
     print(summary(group))
     print(f"\nresults in {out}: {', '.join(result['files'])}")
+    if group.failed:
+        raise typer.Exit(1)

@@ -1,9 +1,8 @@
 """Crushing of single grains between rigid platens."""
 
-from grus.crushing.group import GroupResult, crush_group
-from grus.crushing.report import write_report
+from importlib import import_module
+
 from grus.crushing.result import CrushingResult
-from grus.crushing.summary import summary
 from grus.crushing.test import CrushingTest, crush
 
 __all__ = [
@@ -15,3 +14,17 @@ __all__ = [
     "summary",
     "write_report",
 ]
+
+_OF_GROUPS = {
+    "GroupResult": "grus.crushing.group",
+    "crush_group": "grus.crushing.group",
+    "summary": "grus.crushing.screen",
+    "write_report": "grus.crushing.report",
+}
+
+
+def __getattr__(name: str) -> object:
+    # At first use, so that the processes of the simulations do not wait for statistics and plots.
+    if name not in _OF_GROUPS:
+        raise AttributeError(f"module 'grus.crushing' has no attribute '{name}'")
+    return getattr(import_module(_OF_GROUPS[name]), name)

@@ -1,31 +1,38 @@
-"""Crushing of a group of grains in parallel processes."""
+"""Crushing of a group of grains, which is a campaign."""
 
-import os
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
 
+from grus import campaign
+from grus.campaign.store import Tell, quiet
 from grus.card import Card
+from grus.crushing.arrays import from_arrays
 from grus.crushing.result import CrushingResult
-from grus.crushing.test import crush
 from grus.errors import GrusError
 from grus.files import discard_partial
-from grus.host.processes import run_in_processes
 from grus.ownership import claim
 from grus.specimen.from_card import outline_from_card
 from grus.statistics import WeibullFit, fit_weibull
 
 Progress = Callable[[int, int], None]
+STORE = "store"
+"""Folder of the campaign in that of the results."""
 
 
 @dataclass(frozen=True)
 class GroupResult:
-    """Results of grains 0 .. n-1 of a card, in this order."""
+    """Results of grains of a card.
+
+    grains: those of grains 0 .. n-1 that did not fail, in this order.
+    failed: number of each of the others -> what went wrong, in one line.
+    """
 
     card: Card
     grains: tuple[CrushingResult, ...]
+    failed: dict[int, str] = field(default_factory=dict)
 
     @property
     def strengths(self) -> np.ndarray:
@@ -62,41 +69,49 @@ def crush_group(
     folder: str | Path,
     jobs: int | None = None,
     progress: Progress | None = None,
+    tell: Tell = quiet,
 ) -> GroupResult:
-    """Crushes grains 0 .. `grains`-1 of `card`, `jobs` at a time (default: one a core), one process each.
+    """Crushes grains 0 .. `grains`-1 of `card` in a campaign, `jobs` at a time (default: one a core), one process each.
 
     Each result is written to `folder`/grains as soon as it is there; grains found there are not run again, so a call
-    that was interrupted goes on where it was. `progress(done, of)` is called after each grain.
-    Raises GrusError when `folder` holds results of another card, or when `grains` or `jobs` is below 1.
+    that was interrupted goes on where it was. The campaign's store is `folder`/store. A grain that fails does not stop the
+    others; the next call tries it again unless the card is to blame. `progress(done, of)` is called after each grain,
+    `tell(line)` when there is something to say.
+    Raises GrusError when `folder` holds results of another card, when `grains` or `jobs` is below 1, or when every grain
+    failed; OSError when `folder` cannot be written.
     """
-    jobs = jobs or len(os.sched_getaffinity(0))
     for name, value in {"grains": grains, "jobs": jobs}.items():
-        if value < 1:
+        if value is not None and value < 1:
             raise GrusError(f"{name} = {value}; allowed: 1 or more")
     outline_from_card(card)  # refuses a bad mesh before anything is written
-    store = _Store(card, Path(folder))
-    waiting = [grain for grain in range(grains) if not store.has(grain)]
-    done = grains - len(waiting)
+    files = _Files(card, Path(folder))
+    results = {grain: found for grain in range(grains) if (found := files.find(grain))}
+    failed: dict[int, str] = {}
+    before = len(results)
 
-    def count(*_: object) -> None:
-        nonlocal done
-        done += 1
-        if progress:
-            progress(done, grains)
+    def ended(outcome: campaign.Outcome) -> None:
+        if outcome.failed is None:
+            results[outcome.grain] = from_arrays(outcome.record, outcome.arrays)
+            files.save(results[outcome.grain])
+        else:
+            failed[outcome.grain] = outcome.failed
 
-    if progress:
-        progress(done, grains)
-    if waiting:
-        calls = [(card, grain, store) for grain in waiting]
-        run_in_processes(_run, calls, min(jobs, len(waiting)), count)
-    return GroupResult(card, tuple(store.load(grain) for grain in range(grains)))
+    campaign.campaign(
+        [campaign.Run("crush", card, grain) for grain in range(grains) if grain not in results],
+        campaign.Store(Path(folder) / STORE),
+        jobs,
+        progress=progress and (lambda done, _: progress(before + done, grains)),
+        ended=ended,
+        tell=tell,
+    )
+    if not results:
+        raise GrusError(failed[min(failed)])
+    return GroupResult(
+        card, tuple(results[grain] for grain in sorted(results)), dict(sorted(failed.items()))
+    )
 
 
-def _run(card: Card, grain: int, store: "_Store") -> None:
-    store.save(crush(card, grain))
-
-
-class _Store:
+class _Files:
     """Results of one card in a folder."""
 
     def __init__(self, card: Card, folder: Path) -> None:
@@ -108,15 +123,12 @@ class _Store:
     def path(self, grain: int) -> Path:
         return self.folder / f"grain-{grain:04d}.h5"
 
-    def has(self, grain: int) -> bool:
+    def find(self, grain: int) -> CrushingResult | None:
+        """None when there is none that can be read."""
         try:
-            self.load(grain)
+            return CrushingResult.load(self.path(grain), self.key)
         except GrusError:
-            return False
-        return True
-
-    def load(self, grain: int) -> CrushingResult:
-        return CrushingResult.load(self.path(grain), self.key)
+            return None
 
     def save(self, result: CrushingResult) -> None:
         result.save(self.path(result.grain), self.key)

@@ -62,6 +62,8 @@ def numbers(group: GroupResult) -> dict:
         "worst_energy_error": max((g.energy_error for g in group.grains), key=abs),
         "tests": [grain.summary() for grain in group.grains],
     }
+    if group.failed:
+        result["failed"] = {str(grain): reason for grain, reason in group.failed.items()}
     result["weibull"] = _weibull_numbers(group.weibull_or_reason())
     result["weibull_by_maximum"] = _weibull_numbers(group.weibull_or_reason(by="maximum"))
     return result

@@ -97,7 +97,7 @@ class CrushingResult:
     def save(self, path: str | Path, key: str) -> None:
         """Writes an HDF5 file, complete or not at all; `key` says what the result belongs to."""
         with replacing(path) as partial, h5py.File(partial, "w") as file:
-            file.attrs.update({"format": FORMAT, "key": key} | self._numbers())
+            file.attrs.update({"format": FORMAT, "key": key} | self.numbers)
             self.record.write(file.create_group("record"))
             self.specimen.write(file.create_group("specimen"))
             for name, state in {"before": self.before, "after": self.after}.items():
@@ -105,7 +105,9 @@ class CrushingResult:
                 for field, values in vars(state).items():
                     group.create_dataset(field, data=values)
 
-    def _numbers(self) -> dict:
+    @property
+    def numbers(self) -> dict[str, float | int | str]:
+        """What is neither a table nor an array, by the names of this class."""
         objects = {"record", "before", "after", "specimen"}
         return {name: value for name, value in vars(self).items() if name not in objects}
 

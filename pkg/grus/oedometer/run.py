@@ -13,7 +13,7 @@ from grus.oedometer.result import SEAT, OedometerResult, StageEnd
 from grus.oedometer.stage import Progress, StageRun
 from grus.oedometer.test import OedometerTest, at_end, element_ids, ledger, record, servo
 from grus.preparation import PreparedSpecimen, prepare
-from grus.scene import contacts, snapshot
+from grus.scene import CALMING, contacts, set_damping, snapshot
 
 
 SEATING = 0.05
@@ -79,6 +79,7 @@ def oedometer(
 def begin(card: Card, stage: Planned) -> None:
     """Begins the next stage in the current scene; the clock of a hold starts once the specimen is quiet."""
     servo().tolerance = SEATING if stage.kind == SEAT else card.oedometer.tolerance
+    set_damping(CALMING if stage.kind == SEAT else card.oedometer.damping)
     servo().begin(stage.stress, settled=stage.kind == "hold")
     set_clock(stage)
 

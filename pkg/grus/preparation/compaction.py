@@ -8,12 +8,11 @@ from yade import O
 from yade.wrapper import BondMat
 
 from grus.card import Card
-from grus.preparation.exo import solid_fraction
 from grus.preparation.press import QUIET, Press, element_stiffness
 from grus.preparation.rigid import fit_rigid
 from grus.preparation.stream import Step, stream
 from grus.preparation.walls import wall_box
-from grus.scene import grain_material
+from grus.scene import grain_material, stop_grains
 from grus.specimen import Specimen
 
 SKIN = 1.0
@@ -27,11 +26,16 @@ OPENING = 2
 RELEASE = 400
 """Time steps in which they open."""
 BEAT, TAPS = 1000, 60
-"""Time steps from one tap to the next, and how many taps there are at most."""
+"""Time steps from one tap or one change of friction to the next, and how many taps there are at most."""
 SOFTEST_TAP, HARDEST_TAP = 0.7, 5.0
 """Largest speed that the first and the last tap give a grain, over root(stress / density)."""
-MEETING = 2000
-"""Time steps for the platens to meet resistance after they have closed to the box asked for."""
+HELD, LEAST, LOWERINGS = 4.0, 0.1, 15
+"""Friction while the platens close and the least before none, over the card's, and in how many steps it falls from one to the
+other, by way of the card's."""
+RESISTING, PATIENCE = 0.95, 20
+"""Share of the seating stress on both platens at which grains count as resisting, and for how many beats this is waited for."""
+SLOWEST = 0.1
+"""Share of their speed at which platens still close: they wait while the stress is reached and the grains give way."""
 CYCLES = 12
 """Rounds of densifying and settling at most."""
 ENOUGH = 0.6
@@ -42,11 +46,13 @@ class Compaction:
     """Grains that cannot break or bend, each one rigid clump, with soft contacts at first.
 
     parts: the grains, joined, each at the place of its exo-sphere; size: of the box [m]; attempt: number of the
-    packing, for its taps.
+    packing, for its taps; margin: void ratio that the grains are expected to lose while they come to rest.
     """
 
-    def __init__(self, card: Card, parts: Specimen, size: np.ndarray, attempt: int = 0) -> None:
-        self.card, self.grains = card, parts
+    def __init__(
+        self, card: Card, parts: Specimen, size: np.ndarray, attempt: int = 0, margin: float = 0.0
+    ) -> None:
+        self.card, self.grains, self.margin = card, parts, margin
         self.final = element_stiffness(grain_material(card), card.element.radius)
         self.soft = min(self.final, soft_stiffness(card, parts))
         self.taps = stream(card.seed, Step.TAPS, attempt)
@@ -72,17 +78,18 @@ class Compaction:
     def run(self) -> tuple[float, float]:
         """Compacts; returns the void ratios at which the grains first came to rest, and at last.
 
-        The platens close on grains with the card's friction. While they rest at a larger void ratio than asked for,
-        friction is taken from them (down to `preparation.friction`), and if that is not enough they are tapped, until
-        the void ratio is met. Then friction is given back, and contacts get their final stiffness. The small way that
-        the platens still go until all rest is measured, and allowed for in the next cycle if it was too short.
+        The platens close on grains that hold each other by more than the card's friction, which then falls to it.
+        While they rest at a larger void ratio than asked for, friction is taken from them (down to
+        `preparation.friction`), and if that is not enough they are tapped, until the void ratio is met. Then friction is
+        given back, and contacts get their final stiffness. The small way that the platens still go until all rest is
+        measured, and allowed for in the next cycle if it was too short.
         """
         press, target = self.press, self.card.specimen.void_ratio
         enough = target + ENOUGH * self.card.preparation.void_ratio_tolerance
         press.servo.relaxation = EAGER
         press.expect(ROUGH, QUIET // 5)
-        stop, first = target + self.card.preparation.void_ratio_tolerance, None
-        press.run(self._closing_steps(), stop)
+        stop, first = target + self.card.preparation.void_ratio_tolerance + self.margin, None
+        self._close(stop)
         for _ in range(CYCLES):
             dense = press.void_ratio <= max(stop, enough) or self._densify(stop)
             before = press.void_ratio
@@ -100,21 +107,71 @@ class Compaction:
         placed = fit_rigid(self.grains, self.press.positions())
         return replace(self.grains, position=placed), np.array(wall_box(self.press.walls))
 
-    def _closing_steps(self) -> int:
-        """Time steps in which the platens close to the box asked for, twice over, and some to meet resistance."""
+    def _close(self, stop: float) -> None:
+        """Closes the platens until the void ratio falls to `stop`, or until the grains resist: on friction that then
+        falls, step by step, to what they have.
+
+        Grains that are compacted with that friction alone do not come to rest until they are far denser, the more so
+        the larger the box: what has begun to flow goes on.
+        """
+        own = self.card.contact.friction_coefficient
+        self.press.set_friction(HELD * own)
+        for _ in range(self._closing_beats()):
+            self._follow()
+            if self.press.run(BEAT, stop) or self.press.resists(RESISTING):
+                break
+        for friction in own * _by_equal_factors(HELD, 1, LOWERINGS):
+            stop_grains()
+            self.press.set_friction(float(friction))
+            self._press_on(PATIENCE)
+
+    def _press_on(self, beats: int, stop: float | None = None) -> bool:
+        """At most so many beats until the grains resist again; whether the void ratio falls to `stop` first."""
+        for _ in range(beats):
+            if self.press.run(BEAT, stop):
+                return True
+            if self.press.resists(RESISTING):
+                break
+        return False
+
+    def _follow(self) -> None:
+        """Gives the grains the velocities of a box that closes evenly, so that they need not be pushed together from its
+        ends, which takes the longer the larger it is."""
+        axis = self.card.dimension - 1
+        ends = [O.bodies[wall].state for wall in self.press.walls[axis]]
+        low, high = (one.pos[axis] for one in ends)
+        below, above = (one.vel[axis] for one in ends)
+        for grain in self.press.movable():
+            share = (grain.state.pos[axis] - low) / (high - low)
+            velocity = np.zeros(3)
+            velocity[axis] = below + share * (above - below)
+            grain.state.vel = tuple(velocity.tolist())
+            grain.state.angVel = (0, 0, 0)
+
+    def _closing_beats(self) -> int:
+        """Most beats of closing: as many as the way to the box asked for takes at `SLOWEST` of the platens' speed."""
         lower, upper = wall_box(self.press.walls)
         height = float(upper[-1] - lower[-1])
         ratio = (1 + self.card.specimen.void_ratio) / (1 + self.press.void_ratio)
         way = max(height * (1 - ratio), 0)
-        return MEETING + int(way / (self.card.preparation.compaction_speed * O.dt))
+        beat = SLOWEST * self.card.preparation.compaction_speed * O.dt * BEAT
+        return 1 + int(way / beat)
 
     def _densify(self, stop: float) -> bool:
-        """Takes friction from the grains and taps them harder and harder; whether the void ratio falls to `stop`."""
+        """Takes friction from the grains little by little, then taps them harder and harder.
+
+        Returns whether the void ratio falls to `stop`.
+        """
         p = self.card.preparation
-        self.press.set_friction(p.friction)
+        own = self.card.contact.friction_coefficient
+        falling = own * np.append(_by_equal_factors(1, LEAST, LOWERINGS), 0)
+        for friction in np.maximum(falling, p.friction):
+            stop_grains()
+            self.press.set_friction(float(friction))
+            if self._press_on(PATIENCE, stop):
+                return True
         sound = (p.seating_stress / self.card.element.density) ** 0.5
-        rising = np.geomspace(SOFTEST_TAP, HARDEST_TAP, TAPS).round(6)  # the same everywhere
-        for speed in sound * np.append(0.0, rising):
+        for speed in sound * _by_equal_factors(SOFTEST_TAP, HARDEST_TAP, TAPS):
             self._tap(speed)
             if self.press.run(BEAT, stop):
                 return True
@@ -135,6 +192,7 @@ class Compaction:
         sides. The sides then stay a little wider.
         """
         press, p = self.press, self.card.preparation
+        stop_grains()
         press.set_friction(self.card.contact.friction_coefficient)
         press.to_rest()
         overlap = OPENING * p.compaction_overlap * self.card.element.radius
@@ -145,6 +203,11 @@ class Compaction:
         press.expect(ROUGH, QUIET)
         press.to_rest()
         return press.void_ratio
+
+
+def _by_equal_factors(first: float, last: float, count: int) -> np.ndarray:
+    """From `first` to `last`, rounded: the same on all machines."""
+    return np.geomspace(first, last, count).round(6)
 
 
 def soft_stiffness(card: Card, grains: Specimen) -> float:
@@ -159,10 +222,8 @@ def soft_stiffness(card: Card, grains: Specimen) -> float:
     return 2 * p.seating_stress * area / (p.compaction_overlap * card.element.radius)
 
 
-def start_box(card: Card, exo_radius: np.ndarray, base: np.ndarray) -> np.ndarray:
-    """Size (dimension,) [m] of the box in which exo-spheres fill the share that the card says."""
+def start_box(card: Card, exo_radius: np.ndarray, base: np.ndarray, fraction: float) -> np.ndarray:
+    """Size (dimension,) [m] of the box of which exo-spheres fill the share `fraction`."""
     unit = np.pi if card.dimension == 2 else 4 / 3 * np.pi
-    volume = (
-        unit * float(np.prod([exo_radius] * card.dimension, axis=0).sum()) / solid_fraction(card)
-    )
+    volume = unit * float(np.prod([exo_radius] * card.dimension, axis=0).sum()) / fraction
     return np.append(base, volume / base.prod())

@@ -32,6 +32,8 @@ SECTIONS = (
     "preparation",
 )
 """Keys and tables of a card that decide how its specimen is prepared."""
+LOOSER = 0.9
+"""Share of the box that exo-spheres fill, over that of a packing that came to rest too dense."""
 
 
 def specimen_key(card: Card) -> str:
@@ -86,14 +88,15 @@ def _compacted(card: Card, grains: list[Specimen], tell: Progress) -> tuple[Spec
     """Grains (as one specimen) at rest at the void ratio asked for, and the corners of their box [m]."""
     target, tolerance = card.specimen.void_ratio, card.preparation.void_ratio_tolerance
     reach = np.array([float((np.linalg.norm(g.position, axis=1) + g.radius).max()) for g in grains])
-    size = start_box(card, reach, base(card))
+    fraction, margin = solid_fraction(card), 0.0
     found: list[float] = []
     for attempt in range(card.preparation.attempts):
+        size = start_box(card, reach, base(card), fraction)
         tell(f"growing exo-spheres, packing {attempt + 1}")
         centres = _exo_spheres(card, reach, size, attempt)
         parts = join(grains, centres, meta={"maker": "preparation"})
         tell("compacting")
-        compaction = Compaction(card, parts, size, attempt)
+        compaction = Compaction(card, parts, size, attempt, margin)
         reached = compaction.run()
         if compaction.press.leaks:
             tell("grains were pressed out of the box")
@@ -102,6 +105,10 @@ def _compacted(card: Card, grains: list[Specimen], tell: Progress) -> tuple[Spec
         tell(f"void ratio {found[-1]:.4f}, {found[-2]:.4f} when first at rest")
         if abs(found[-1] - target) <= 0.8 * tolerance:
             return compaction.result()
+        if found[-1] < target:
+            # The way on which the grains come together decides how loose they can rest.
+            margin += target - found[-1]
+            fraction *= LOOSER
     if not found:
         raise GrusError(
             f"{card.source}: preparation.compaction_speed = {card.preparation.compaction_speed:g}: grains were pressed "

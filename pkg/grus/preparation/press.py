@@ -10,14 +10,16 @@ from grus.card import Card
 from grus.errors import GrusError
 from grus.preparation.prepared import outline_volume
 from grus.preparation.walls import add_walls, wall_box
-from grus.scene import GrainEngines, insert, stop_grains
+from grus.scene import CALMING, GrainEngines, insert, set_damping, stop_grains
 from grus.specimen import Specimen
 from grus.specimen.clump_properties import clump_volume
 
 LOOK = 50
 """Time steps between two looks at the void ratio, and of the servo at the unbalanced force."""
-CALM = 1000
-"""Time steps between two looks at the void ratio when there is none to stop at."""
+CALM = 500
+"""Time steps between two looks at the kinetic energy of grains that are to come to rest."""
+PAST = 0.5
+"""Share of a peak of their kinetic energy at which they are stopped."""
 QUIET = 500
 """Time steps at rest in a row that count as rest."""
 NEARER, FINE = 0.1, 0.1
@@ -80,35 +82,49 @@ class Press:
         self.engines.bond(self.specimen)
         self.engines.start([self.servo])
 
-    def to_rest(self, stop_at: float = -np.inf) -> bool:
-        """Runs until the grains rest under the seating stress, or until the void ratio falls to `stop_at`.
+    def to_rest(self) -> None:
+        """Runs until the grains rest under the seating stress.
 
-        Returns whether they rest. Raises GrusError when they do not come to rest.
+        Meanwhile damping is strong, and grains are stopped each time that their kinetic energy is well past a peak: slow
+        waves through the whole specimen, and grains that fly between others, take many times longer to die out by
+        themselves. Raises GrusError when they do not come to rest.
         """
         self.servo.begin(self.card.preparation.seating_stress)
-        fell = self.run(MOST_STEPS, stop_at)
-        if self.servo.done or fell:
-            return self.servo.done
+        set_damping(CALMING)
+        peak = 0.0
+        for _ in range(MOST_STEPS // CALM):
+            self.engines.run(CALM)
+            if self.servo.done:
+                set_damping(self.card.preparation.damping)
+                return
+            peak = max(peak, self.servo.kinetic)
+            if self.servo.kinetic < PAST * peak:
+                stop_grains()
+                peak = 0.0
         raise GrusError(
             f"{self.card.source}: preparation.unbalanced_limit = {self.card.preparation.unbalanced_limit:g}: "
             f"{self.servo.unbalanced:.3g} after {MOST_STEPS} steps, the grains do not come to rest; allowed: more"
         )
 
-    def run(self, count: int, stop_at: float) -> bool:
+    def run(self, count: int, stop_at: float | None = None) -> bool:
         """Runs `count` steps under the seating stress, or until all rest, or until the void ratio falls to `stop_at`.
 
         The platens slow down on the way to `stop_at`, and stay slow after that. Returns whether it was reached.
         """
         if self.servo.stage < 0 or self.servo.done:
             self.servo.begin(self.card.preparation.seating_stress)
-        look = LOOK if np.isfinite(stop_at) else CALM
-        for _ in range(count // look):
-            if np.isfinite(stop_at):
+        for _ in range(count // LOOK):
+            if stop_at is not None:
                 self._slow_down(self.void_ratio - stop_at)
-            self.engines.run(look)
-            if self.servo.done or self.void_ratio <= stop_at:
+            self.engines.run(LOOK)
+            if self.servo.done or (stop_at is not None and self.void_ratio <= stop_at):
                 break
-        return self.void_ratio <= stop_at
+        return stop_at is not None and self.void_ratio <= stop_at
+
+    def resists(self, share: float) -> bool:
+        """Whether the stress on both platens is at least this share of the seating stress."""
+        least = min(self.servo.topStress, self.servo.bottomStress)
+        return least >= share * self.card.preparation.seating_stress
 
     def _slow_down(self, distance: float) -> None:
         p = self.card.preparation

@@ -23,9 +23,11 @@ def group_content(found: dict, pictures: Sequence[Picture]) -> Content:
     """found: what result.json holds."""
     tests, card = found["tests"], found["card"]
     strength = [1e-6 * test["strength_Pa"] for test in tests]
+    failed = found.get("failed", {})
     mean = sum(strength) / len(strength)
     summary = [
         ("grains", f"{found['grains']}, of which {found['broken']} crushed"),
+        *[(f"grain {grain}", f"failed: {reason}") for grain, reason in failed.items()],
         ("strength", f"{mean:.3g} MPa on average, {min(strength):.3g} to {max(strength):.3g} MPa"),
         *_weibull(found["weibull"], "first drop of the force"),
         *_weibull(found["weibull_by_maximum"], "largest force"),
@@ -47,7 +49,7 @@ def group_content(found: dict, pictures: Sequence[Picture]) -> Content:
         card=card,
         card_hash=found["card_hash"],
         versions=found["versions"],
-        repeat=[f"grus crush card.toml --grains {found['grains']} --out again"],
+        repeat=[f"grus crush card.toml --grains {found['grains'] + len(failed)} --out again"],
     )
 
 

@@ -3,12 +3,13 @@
 from grus.scene.bonding import bond
 from grus.scene.contacts import Contacts, contacts
 from grus.scene.insert import insert
-from grus.scene.grain_engines import LOOPS, GrainEngines, stop_grains
+from grus.scene.grain_engines import CALMING, LOOPS, GrainEngines, set_damping, stop_grains
 from grus.scene.loop import InteractionEngines
 from grus.scene.material import grain_material, platen_material
 from grus.scene.snapshot import Snapshot, snapshot
 
 __all__ = [
+    "CALMING",
     "Contacts",
     "LOOPS",
     "GrainEngines",
@@ -19,6 +20,7 @@ __all__ = [
     "grain_material",
     "insert",
     "platen_material",
+    "set_damping",
     "snapshot",
     "stop_grains",
 ]

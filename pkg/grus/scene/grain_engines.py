@@ -1,7 +1,7 @@
 """All engines of a test on grains."""
 
 from yade import O
-from yade.wrapper import BondTimeStepper, Engine, GrainLoop
+from yade.wrapper import BondTimeStepper, Engine, GrainLoop, NewtonIntegrator
 
 from grus.host.differences import leapfrog
 from grus.scene.bonding import bond
@@ -13,6 +13,8 @@ SUBSTEPS = 1000
 """Time steps that GrainLoop does before it hands back to YADE, which costs as much as 10 to 20 of them; also those between
 two updates of the time step."""
 
+CALMING = 0.8
+"""Damping of grains that are to come to rest without being in a test."""
 QUENCHES, QUENCH = 20, 500
 """How often grains are stopped, and time steps before each time."""
 
@@ -76,6 +78,13 @@ class GrainEngines:
         for _ in range(QUENCHES):
             self.run(QUENCH)
             stop_grains()
+
+
+def set_damping(damping: float) -> None:
+    """Changes YADE's local damping [-] of the engines that move the grains of the current scene."""
+    for one in O.engines:
+        if isinstance(one, (GrainLoop, NewtonIntegrator)):
+            one.damping = damping
 
 
 def stop_grains() -> None:

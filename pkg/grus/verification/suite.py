@@ -1,9 +1,11 @@
-"""All cases of the verification, run in a process of their own."""
+"""All cases of the verification, run by a worker of their own."""
 
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from grus.host.processes import run_in_processes
+from distributed import as_completed
+
+from grus.campaign import workers
 from grus.verification.breaking import breaking_rows
 from grus.verification.contact_options import contact_options_rows
 from grus.verification.elastic import elastic_rows
@@ -33,20 +35,21 @@ CASES: tuple[Callable[[], Iterator[Row] | Curves], ...] = (
 def verify(folder: str | Path | None = None, progress: Progress | None = None) -> Verification:
     """Runs every case; with a `folder` the table and figures are written there.
 
-    The cases run one after the other in a single other process with one thread, so the scene of the caller stays as
+    The cases run one after the other in a single worker of Dask with one thread, so the scene of the caller stays as
     it is and the numbers do not depend on the number of threads. `progress(done, of)` is called after each group of
     cases.
     """
+    progress = progress or (lambda done, of: None)
+    progress(0, len(CASES))
     found: dict[int, list[Row] | Curves] = {}
-
-    def keep(index: int, result: list[Row] | Curves) -> None:
-        found[index] = result
-        if progress:
+    with workers(1, ahead=False) as client:
+        runs = {
+            client.submit(_run, case, pure=False, priority=-index): index
+            for index, case in enumerate(CASES)
+        }
+        for run in as_completed(runs):
+            found[runs[run]] = run.result()
             progress(len(found), len(CASES))
-
-    if progress:
-        progress(0, len(CASES))
-    run_in_processes(_run, [(case,) for case in CASES], 1, keep)
     rows: list[Row] = []
     curves: Curves = {}
     for index in range(len(CASES)):

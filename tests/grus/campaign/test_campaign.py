@@ -1,10 +1,11 @@
 """Campaigns that nothing disturbs: what is run, what is not, what is told."""
 
+import os
 import time
 
 import numpy as np
 import pytest
-from campaigns import SEEDS, assert_same
+from campaigns import SEEDS, WARM, assert_same, below, until
 
 from grus.campaign import Run, Store, campaign, cluster, workers
 from grus.crushing import crush
@@ -33,15 +34,18 @@ def test_nothing_is_run_twice(whole, expected, runs):
 def test_only_what_is_missing_is_run(whole, expected, runs, tmp_path):
     store = Store(tmp_path).make()
     store.save(expected[runs[0].key])
-    calls, lines = [], []
+    calls, lines, ends = [], [], []
     found = campaign(
         [runs[1], runs[0], runs[1]],
         store,
         1,
         progress=lambda *now: calls.append(now),
+        ended=ends.append,
         tell=lines.append,
     )
     assert calls == [(1, 2), (2, 2)]
+    assert [one.key for one in ends] == [runs[0].key, runs[1].key], "what is there comes first"
+    assert ends[1] is found[runs[1].key]
     assert list(found) == [runs[1].key, runs[0].key]
     assert "http://" in lines[0]
     assert_same(found, {run.key: expected[run.key] for run in runs[:2]})
@@ -92,6 +96,12 @@ def test_nothing_is_begun_after_the_deadline(expected, runs, whole, tmp_path):
     found = campaign(runs, store, 1, deadline=time.monotonic() - 1)
     assert list(found) == [runs[1].key]
     assert [path.stem for path in store.runs.iterdir()] == [runs[1].key]
+
+
+def test_workers_load_yade_before_the_first_run():
+    with workers(1):
+        until(lambda: below(os.getpid(), WARM))
+    until(lambda: not below(os.getpid(), WARM))
 
 
 def test_workers_may_serve_several_campaigns(runs, expected, tmp_path):

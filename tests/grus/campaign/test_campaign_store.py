@@ -34,6 +34,22 @@ def test_outcome_survives_its_file(store, outcome):
         np.testing.assert_array_equal(found.record[name], outcome.record[name])
 
 
+def test_arrays_survive_their_file(store, outcome):
+    arrays = {
+        "after.mode": np.array([1, 2]),
+        "after.broken": np.empty((0, 2), dtype=np.int64),
+        "gap": np.array(np.pi),
+        "ended": np.array("crushed é"),
+        "names": np.array(["a", "bc"]),
+    }
+    store.save(dataclasses.replace(outcome, arrays=arrays))
+    found = store.find(outcome.key).arrays
+    assert set(found) == set(arrays)
+    for name, values in arrays.items():
+        np.testing.assert_array_equal(found[name], values)
+        assert found[name].dtype == values.dtype and found[name].shape == values.shape
+
+
 def test_failure_survives_its_file(store, outcome):
     failed = dataclasses.replace(
         outcome, record=None, figures={}, failed="ended by SIGKILL", log="é\n" * 50_000

@@ -1,6 +1,7 @@
 """A group of crushing tests: results, resuming, processes, refusals, files."""
 
 import json
+import shutil
 from pathlib import Path
 
 import numpy as np
@@ -8,8 +9,10 @@ import pandas as pd
 import pytest
 
 import grus  # noqa: F401  loads YADE
+from grus.campaign import Outcome, Run, Store
 from grus.card import Card
 from grus.crushing import crush, crush_group, summary, write_report
+from grus.crushing.arrays import from_arrays, to_arrays
 from grus.crushing.result import CrushingResult
 from grus.errors import GrusError
 
@@ -83,6 +86,67 @@ def test_goes_on_where_it_was(card, folder, tmp_path, group):
     again = crush_group(card, GRAINS, tmp_path, 2, lambda done, of: calls.append((done, of)))
     assert calls == [(2, GRAINS), (3, GRAINS), (4, GRAINS)]
     assert [g.summary() for g in again.grains] == [g.summary() for g in group.grains]
+
+
+def test_grains_are_runs_of_a_campaign(card, folder, group, tmp_path):
+    shutil.copytree(folder / "store", tmp_path / "store")
+    calls = []
+    again = crush_group(card, GRAINS, tmp_path, 2, lambda done, of: calls.append((done, of)))
+    assert calls == [(GRAINS, GRAINS)], "what its store holds is not run again"
+    for source in (folder / "grains").iterdir():
+        assert (tmp_path / "grains" / source.name).read_bytes() == source.read_bytes()
+    outcomes = Store(folder / "store").outcomes()
+    found = sorted(outcomes, key=lambda outcome: outcome.grain)
+    assert [one.figures["peak.strength"] for one in found] == [g.strength for g in group.grains]
+    assert [g.summary() for g in again.grains] == [g.summary() for g in group.grains]
+
+
+def failure(card: Card, grain: int, refused: bool) -> Outcome:
+    run = Run("crush", card, grain)
+    return Outcome(
+        run.key, "crush", card.to_dict(), grain, failed="ended by SIGKILL", refused=refused
+    )
+
+
+def test_a_grain_that_fails_does_not_stop_the_others(card, folder, group, tmp_path):
+    for source in sorted((folder / "grains").iterdir()):
+        (tmp_path / "grains").mkdir(exist_ok=True)
+        (tmp_path / "grains" / source.name).write_bytes(source.read_bytes())
+    (tmp_path / "grains" / "grain-0001.h5").unlink()
+    store = Store(tmp_path / "store").make()
+    store.save(failure(card, 1, refused=True))
+    few = crush_group(card, GRAINS, tmp_path, 1)
+    assert few.failed == {1: "ended by SIGKILL"}
+    assert [grain.grain for grain in few.grains] == [0, 2, 3]
+    assert "failed        1 more" in summary(few) and "grain 1: ended by SIGKILL" in summary(few)
+    assert write_report(few, tmp_path)["failed"] == {"1": "ended by SIGKILL"}
+    assert "failed" not in write_report(group, tmp_path)
+    # The next call tries again unless the card is to blame.
+    store.save(failure(card, 1, refused=False))
+    whole = crush_group(card, GRAINS, tmp_path, 1)
+    assert not whole.failed
+    assert [g.summary() for g in whole.grains] == [g.summary() for g in group.grains]
+
+
+def test_when_every_grain_fails_the_first_reason_is_told(card, tmp_path):
+    store = Store(tmp_path / "store").make()
+    for grain in range(2):
+        store.save(failure(card, grain, refused=True))
+    with pytest.raises(GrusError, match="ended by SIGKILL"):
+        crush_group(card, 2, tmp_path, 1)
+
+
+def test_result_survives_its_arrays(group):
+    result = group.grains[1]
+    outcome = Outcome("ab" * 32, "crush", {}, record=result.record, arrays=to_arrays(result))
+    stored = Outcome.from_bytes(outcome.to_bytes())
+    loaded = from_arrays(stored.record, stored.arrays)
+    assert loaded.summary() == result.summary() and loaded.numbers == result.numbers
+    assert loaded.specimen.content_hash() == result.specimen.content_hash()
+    for state, other in ((loaded.before, result.before), (loaded.after, result.after)):
+        for name, values in vars(other).items():
+            np.testing.assert_array_equal(getattr(state, name), values)
+            assert getattr(state, name).dtype == values.dtype
 
 
 def test_result_survives_its_file(group, tmp_path):

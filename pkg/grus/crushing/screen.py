@@ -15,6 +15,7 @@ def summary(group: GroupResult) -> str:
     lines = [
         ("model", f"{group.card.name}, {group.card.dimension}D, seed {group.card.seed}"),
         ("grains", f"{len(grains)}, of which {int((~group.censored).sum())} crushed"),
+        *_failed(group),
         ("a grain has", _mean(grains, "elements, clumps, bonds")),
         (
             "strength",
@@ -31,6 +32,15 @@ def summary(group: GroupResult) -> str:
         ),
     ]
     return "\n".join(f"{name:<14}{text}" for name, text in lines)
+
+
+def _failed(group: GroupResult) -> list[tuple[str, str]]:
+    if not group.failed:
+        return []
+    grain, reason = next(iter(group.failed.items()))
+    return [
+        ("failed", f"{len(group.failed)} more, which count in nothing; grain {grain}: {reason}")
+    ]
 
 
 def _mean(grains: tuple, what: str) -> str:
