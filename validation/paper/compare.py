@@ -103,7 +103,7 @@ def _plot(tests: dict[str, list[dict]], full: dict | None) -> Figure:
         for run in runs:
             line = _draw(left, right, run, colour, 0.8)
         handles.append(line)
-        names.append(f"{name}, {GRAINS} grains, {len(runs)} seeds")
+        names.append(f"{name}, {GRAINS} grains, {len(runs)} of {len(SEEDS)} seeds")
     if full is not None:
         handles.append(_draw(left, right, full, BLACK, 1.6))
         names.append(f"adaptive, {ALL} grains")
@@ -111,7 +111,7 @@ def _plot(tests: dict[str, list[dict]], full: dict | None) -> Figure:
     right.plot([1000, 1000], [1, 1.5], color="red", linewidth=3, zorder=9)
     names.append(PAPER)
     left.set_ylabel("$e/e_0$")
-    left.set_ylim(0.975, 1.005)
+    left.set_ylim(None, 1.005)
     right.set_ylabel("Bonds lost [%]")
     for axes in (left, right):
         axes.set_xscale("log")
