@@ -37,7 +37,7 @@ public:
         ((Real, fastSpeed, 0, Attr::triggerPostLoad, "Largest speed of a platen [m/s] while the test is quasi-static and no bond breaks; 0: as :yref:`OedometerServo.maxSpeed`, no adaptation."))
         ((Real, speedGrowth, 1.1, Attr::triggerPostLoad, "Factor by which the speed limit grows at each look towards :yref:`OedometerServo.fastSpeed` [-]."))
         ((Real, inertialLimit, 1e-3, , "Largest inertial number of a quasi-static test [-]."))
-        ((Real, kineticLimit, 1e-2, , "Largest kinetic over elastic energy of a quasi-static test [-]."))
+        ((Real, kineticLimit, 1e-3, , "Largest kinetic over elastic energy of a quasi-static test [-]."))
         ((Real, gradientLimit, 0.02, , "Largest difference of the platens' stresses over their mean in a quasi-static test [-]; not asked for when only the top moves, since friction on the sides makes a difference, too."))
         ((Real, relaxation, 0.05, Attr::triggerPostLoad, "Share of the stress error that is removed in a step against the contact stiffness of the platen, more than 0 and at most 1 [-]."))
         ((int, lookInterval, 100, Attr::triggerPostLoad, "Steps between two looks at unbalanced force, energies and the speed limit."))

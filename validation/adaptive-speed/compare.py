@@ -13,7 +13,7 @@ from tests import FAST, FIGURES, SEEDS, tested
 SETTINGS = {
     "constant": {},
     "adaptive": {"fastSpeed": FAST},
-    "strict": {"fastSpeed": FAST, "kineticLimit": 1e-3},
+    "kinetic": {"fastSpeed": FAST, "kineticLimit": 1e-2},
     "loose": {
         "fastSpeed": 0.3,
         "inertialLimit": 1e-2,
