@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include <physics/contact.hpp>
-#include <physics/servo.hpp>
 
 using namespace grus::physics;
 
@@ -50,18 +49,4 @@ TEST(Contact, EnergyOfASlidingContactCloses) {
 TEST(Contact, SpringEnergy) {
     EXPECT_DOUBLE_EQ(springEnergy(-3, 2), 2.25);
     EXPECT_EQ(springEnergy(3, 0), 0);
-}
-
-TEST(Servo, RemovesTheShareOfTheErrorAskedFor) {
-    const double stiffness = 1e6, dt = 1e-5, error = 40;
-    EXPECT_NEAR(servoSpeed(error, stiffness, dt, 0.25, 1e9) * dt * stiffness, 0.25 * error, 1e-12);
-    EXPECT_NEAR(servoSpeed(-error, stiffness, dt, 0.25, 1e9) * dt * stiffness, -0.25 * error, 1e-12);
-}
-
-TEST(Servo, NeverPassesTheCap) {
-    for (double stiffness : {0.0, 1e-9, 1.0, 1e12})
-        for (double error : {-1e9, -1.0, 0.0, 1e-6, 1e9}) {
-            EXPECT_LE(std::abs(servoSpeed(error, stiffness, 1e-6, 1, 0.01)), 0.01);
-            EXPECT_GE(servoSpeed(error, stiffness, 1e-6, 1, 0.01) * error, 0);
-        }
 }
