@@ -22,6 +22,7 @@ def found(grains: int, seed: int, speed: float, strength: float, adaptive: bool)
         return None
     result = json.loads((home / "result.json").read_text())
     curve = pd.read_csv(home / "curve.csv")
+    curve["bonds_lost [%]"] = 100 * curve["bonds_broken [1]"] / result["bonds"]["initial"]
     stages = pd.read_csv(home / "stages.csv")
     loads = stages[stages["kind"] == "load"]
     last = loads.iloc[-1]
@@ -30,7 +31,6 @@ def found(grains: int, seed: int, speed: float, strength: float, adaptive: bool)
     gone = stages["bonds_broken [1]"].iloc[-1] - last["bonds_broken [1]"]
     return {
         "initial void ratio": result["void_ratio"]["initial"],
-        "broken in the preparation": 0,
         "e/e0 at 1 MPa": last["void_ratio_normalised [1]"],
         "bonds lost at 1 MPa [%]": 100 * last["bonds_broken [1]"] / result["bonds"]["initial"],
         "first bond broken [kPa]": _kilopascal(result["onset"], "first_break"),
@@ -125,15 +125,8 @@ def _draw(left, right, run: dict, colour: str, width: float):
     curve = run["curve"]
     stress = curve["axial_stress [kPa]"]
     line = left.plot(stress, curve["void_ratio_normalised [1]"], color=colour, linewidth=width)[0]
-    bonds = run["bonds lost at 1 MPa [%]"] / max(_at_top(curve), 1)
-    right.plot(stress, bonds * curve["bonds_broken [1]"], color=colour, linewidth=width)
+    right.plot(stress, curve["bonds_lost [%]"], color=colour, linewidth=width)
     return line
-
-
-def _at_top(curve: pd.DataFrame) -> float:
-    """Bonds broken when the last stage of loading ended."""
-    loaded = curve["stage [1]"] < curve["stage [1]"].max()
-    return float(curve.loc[loaded, "bonds_broken [1]"].iloc[-1])
 
 
 if __name__ == "__main__":

@@ -11,8 +11,8 @@ from distributed import Client, LocalCluster
 
 from grus.campaign.processes import start_ahead
 from grus.campaign.store import Tell, quiet
-from grus.errors import GrusError, one_line
 from grus.campaign.surroundings import ignored_interrupts, surroundings
+from grus.errors import GrusError, one_line
 
 CONNECT = 20.0
 """Seconds after which a scheduler counts as not to be reached."""

@@ -45,7 +45,7 @@ class Preparation(Section):
     friction: float = key(
         Number(NOT_NEGATIVE),
         "Least friction coefficient between grains while they are compacted. It starts at "
-        "contact.friction_coefficient and is lowered until the void ratio is met.",
+        "four times contact.friction_coefficient and is lowered until the void ratio is met.",
         default=0,
     )
     compaction_overlap: float = key(

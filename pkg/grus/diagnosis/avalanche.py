@@ -4,6 +4,7 @@ A few dozen grains give one avalanche, another, or none: their strain is no meas
 of the mechanism gives about as much.
 """
 
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,7 +15,7 @@ from grus.diagnosis.suspect import Known, stage_levels
 
 
 @dataclass(frozen=True)
-class Avalanche(Known):
+class Avalanche(Known, ABC):
     """A mechanism in holds.
 
     broken: strain of first loading that comes from breakage [-]; acoustic events go with it as with what holds add.
@@ -24,17 +25,17 @@ class Avalanche(Known):
     compared: Layout
     broken: float = 0.0
 
+    @abstractmethod
     def amount(self, size: float) -> float:
         """Strain in all holds [-] at a size of the grid."""
-        raise NotImplementedError
 
+    @abstractmethod
     def change(self, size: float) -> np.ndarray:
         """Mean change (n,) at a size of the grid."""
-        raise NotImplementedError
 
+    @abstractmethod
     def acts(self) -> np.ndarray:
         """Entries (n,) whose strains in the DEM are its amount."""
-        raise NotImplementedError
 
     def levels(self, size: float) -> np.ndarray:
         return stage_levels(self.compared, self.change(size))

@@ -15,7 +15,7 @@ CARD = ROOT / "models" / "montesinho.toml"
 
 
 def grus(*arguments: object) -> subprocess.CompletedProcess:
-    return subprocess.run([GRUS, *map(str, arguments)], capture_output=True, text=True, timeout=300)
+    return subprocess.run([GRUS, *map(str, arguments)], capture_output=True, text=True, timeout=120)
 
 
 def fast_card(folder: Path) -> Path:

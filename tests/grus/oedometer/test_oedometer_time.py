@@ -219,16 +219,15 @@ def test_wetting_at_a_time(aged, tmp_path, specimens):
 
 
 def test_fixed_base_under_friction(plane, tmp_path, specimens):
-    """The ring carries what the base does not get, and lets go of some of it when the load is taken off."""
+    """The ring carries what the base does not get."""
     rough = MECHANISMS["wall_friction"].apply(plane, {"coefficient": 0.3})
     rough = rough.with_overrides({"oedometer.stages": ["load to 60 kPa", "unload to 5 kPa"]})
     result = oedometer(rough, tmp_path, specimens=specimens)
     record = laboratory(result)
     loaded, unloaded = (one.last for one in record.segments[1:])
     assert record["axial_stress"][[loaded, unloaded]] == pytest.approx([60e3, 5e3], rel=0.01)
-    share = record["base_stress"] / record["axial_stress"]
-    assert share[loaded] < 0.97
-    assert share[unloaded] > share[loaded] + 0.05
+    assert record["base_stress"][loaded] < 0.97 * record["axial_stress"][loaded]
+    assert record["base_stress"][unloaded] > record["axial_stress"][unloaded]
     assert abs(result.energy_error[-1]) < 0.01
 
 
