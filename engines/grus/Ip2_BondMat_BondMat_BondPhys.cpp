@@ -65,6 +65,8 @@ Real strengthFactor(const BondMat& m, const BondState& one, const BondState& two
 
 }
 
+std::atomic<long> Ip2_BondMat_BondMat_BondPhys::made{0};
+
 boost::shared_ptr<BondPhys> Ip2_BondMat_BondMat_BondPhys::contact(const BondMat& a, Real radiusA, const BondMat& b,
                                                                   Real radiusB) {
     boost::shared_ptr<BondPhys> phys(new BondPhys);
@@ -80,6 +82,7 @@ void Ip2_BondMat_BondMat_BondPhys::go(const boost::shared_ptr<Material>& m1, con
                                       const boost::shared_ptr<Interaction>& interaction) {
     if (interaction->phys)
         return;
+    made.fetch_add(1, std::memory_order_relaxed);
     const auto& geom = *static_cast<ScGeom*>(interaction->geom.get());
     const auto& a = *static_cast<BondMat*>(m1.get());
     const auto& b = *static_cast<BondMat*>(m2.get());

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+
 #include <core/Dispatching.hpp>
 
 #include <grus/BondMat.hpp>
@@ -17,6 +19,9 @@ public:
 
     /// A contact without a bond of two bodies with these materials and radii [m].
     static boost::shared_ptr<BondPhys> contact(const BondMat& a, Real radiusA, const BondMat& b, Real radiusB);
+
+    /// Contacts that became real in this process, in all scenes.
+    static std::atomic<long> made;
 
     // clang-format off
     YADE_CLASS_BASE_DOC_ATTRS(Ip2_BondMat_BondMat_BondPhys, IPhysFunctor,

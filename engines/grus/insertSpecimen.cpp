@@ -5,6 +5,7 @@
 #include <core/Body.hpp>
 #include <core/BodyContainer.hpp>
 #include <core/Clump.hpp>
+#include <core/InteractionContainer.hpp>
 #include <core/Omega.hpp>
 #include <core/Scene.hpp>
 #include <pkg/common/Sphere.hpp>
@@ -91,6 +92,8 @@ std::vector<int> insertSpecimen(const SpecimenArrays& s, const boost::shared_ptr
         else if (members[clump].size() > 1)
             joinClump(members[clump], s, static_cast<int>(clump), scene, plane);
     }
+    for (std::size_t pair = 0; pair < s.first.size(); ++pair)
+        scene.interactions->insert(ids[s.first[pair]], ids[s.second[pair]]);
     return ids;
 }
 
@@ -100,9 +103,11 @@ std::vector<int> fromPython(const std::vector<Vector3r>& position, const std::ve
                             const std::vector<int>& clump, const std::vector<int>& grain,
                             const std::vector<int>& element, const std::vector<Real>& grainDiameter,
                             const std::vector<Vector3r>& clumpCentre, const std::vector<Real>& clumpMass,
-                            const std::vector<Matrix3r>& clumpInertia, const boost::shared_ptr<BondMat>& material) {
+                            const std::vector<Matrix3r>& clumpInertia, const std::vector<int>& first,
+                            const std::vector<int>& second, const boost::shared_ptr<BondMat>& material) {
     return insertSpecimen(
-        {position, radius, clump, grain, element, grainDiameter, clumpCentre, clumpMass, clumpInertia}, material);
+        {position, radius, clump, grain, element, grainDiameter, clumpCentre, clumpMass, clumpInertia, first, second},
+        material);
 }
 
 }
@@ -112,7 +117,7 @@ void exposeInsertSpecimen() {
     py::def("insertSpecimen", &fromPython,
             (py::arg("position"), py::arg("radius"), py::arg("clump"), py::arg("grain"), py::arg("element"),
              py::arg("grainDiameter"), py::arg("clumpCentre"), py::arg("clumpMass"), py::arg("clumpInertia"),
-             py::arg("material")),
+             py::arg("first"), py::arg("second"), py::arg("material")),
             "Puts a specimen's elements and clumps into the current scene; use grus.scene.insert.");
 }
 

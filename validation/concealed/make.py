@@ -72,7 +72,7 @@ def _store(name: str, table: dict) -> None:
 
 def demonstration() -> None:
     """The shipped recording, and its answer beside those of the development trials."""
-    from dem import effects, plan
+    from constitutive import effects, plan
 
     curve, found = ratios(plan.DEMONSTRATION, effects)
     table = recording(curve, plan.DEMONSTRATION.concealment, np.random.default_rng(4))

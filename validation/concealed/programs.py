@@ -60,6 +60,18 @@ PROGRAMS = {
         "hold for 24 h",
         "unload to 100 kPa in 0.5 h",
     ),
+    "creep": (
+        "load to 100 kPa in 1 h",
+        "hold for 8 h",
+        "load to 200 kPa in 1 h",
+        "hold for 12 h",
+        "load to 300 kPa in 1 h",
+        "hold for 24 h",
+        "load to 400 kPa in 1 h",
+        "hold for 48 h",
+        "unload to 40 kPa in 0.5 h",
+        "hold for 8 h",
+    ),
     # A poor one: neither a hold nor a loop, so that much cannot be told.
     "ramp": ("load to 300 kPa in 1 h", "load to 600 kPa in 1 h"),
 }

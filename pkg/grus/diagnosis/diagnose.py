@@ -32,14 +32,16 @@ from grus.diagnosis.whiteness import whiteness
 from grus.record import Record
 from grus.recording import read, segments
 
+RUNS = "diagnosis-runs"
+"""Folder of the runs, in the current one."""
 TEMPER = 0.6
 """Power of the likelihood; found on development trials. The covariance knows less of specimens than there is."""
 
 
 def diagnose(
     recording: Record | str | Path,
-    card: Card,
-    store: str | Path,
+    card: Card | str | Path,
+    store: str | Path = RUNS,
     seed: int = 1,
     jobs: int | None = None,
     budget: float | None = None,
@@ -48,7 +50,8 @@ def diagnose(
 ) -> Diagnosis:
     """What physics the model of `card` leaves out, by a recording of a laboratory test.
 
-    recording: a record with axial stress and strain, or the file of one. store: folder of the runs, which further
+    recording: a record with axial stress and strain, or the file of one. card: of a model with an oedometer test, or its
+    file. store: folder of the runs, which further
     diagnoses of the same test share. seed: of the specimens. jobs: runs at a time, by default one a core. budget: time [s]
     after which no run is begun; fingerprints that are missing then are not looked for, and the diagnosis says so.
     program: stages in the words of a card, when they are known. `say` is called with a line on each step.
@@ -58,6 +61,8 @@ def diagnose(
     start = time.monotonic()
     if not isinstance(recording, Record):
         recording = read(recording)
+    if not isinstance(card, Card):
+        card = Card.from_file(card)
     recording = replace(recording, segments=segments(recording, program))
     plan = protocol(recording, program)
     small = small_model(card)

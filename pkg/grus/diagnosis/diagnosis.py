@@ -9,7 +9,7 @@ from grus.card import Card
 from grus.diagnosis.calibration import Calibration
 from grus.diagnosis.estimate import Culprit
 from grus.diagnosis.evidence import Explanation
-from grus.diagnosis.improvement import Improvement
+from grus.diagnosis.improvement import LATER, Improvement
 from grus.diagnosis.library import Library
 from grus.diagnosis.locate import StageMisfit
 from grus.diagnosis.protocol import Protocol
@@ -81,6 +81,7 @@ class Diagnosis:
             "stages_left_out": None
             if fit is None
             else [self.protocol.segments[k].stage for k in fit.left_out],
+            "left_out_after": LATER if fit is not None and fit.later else None,
             "whiteness": {
                 "chi_squared": self.whiteness.chi_squared,
                 "runs": self.whiteness.runs,

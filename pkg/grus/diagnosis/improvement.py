@@ -16,6 +16,8 @@ from grus.diagnosis.suspect import Suspect
 
 ACTS = 1.0
 """Change of the strain of a stage, in standard deviations of specimens without it, from which a mechanism acts there."""
+LATER = 0.25
+"""Share of the time of a hold after which it is foreseen, where what was left out acts in this hold only."""
 FEW = 5
 """Sizes of each of several mechanisms between which the stages that were seen choose."""
 
@@ -25,8 +27,9 @@ class Fit:
     """How well a model fits.
 
     overall: all stages, after all were seen. where_it_acts: only those in which the mechanisms change the test. left_out:
-    each stage in which they do, after only the others were seen. mean (n,): the recording less the base as this model
-    has it after seeing all. foreseen (n,): the same of each such stage after seeing only the others.
+    each stage in which they do, after only the others were seen; of a single hold what comes after LATER of its time,
+    after all before and the other stages were seen. mean (n,): the recording less the base as this model
+    has it after seeing all. foreseen (n,): the same, with what was left out as it was foreseen.
     """
 
     overall: Error
@@ -47,13 +50,15 @@ class Fit:
 @dataclass(frozen=True)
 class Improvement:
     """before, after: fits without and with the mechanisms. put_back: the runs in which they were put back into the
-    engines. left_out: stages of the protocol in which they act, each of which was foreseen from the others.
+    engines. left_out: stages of the protocol in which they act, each of which was foreseen from the others. later: whether
+    it is one hold, of which only what comes after LATER of its time was.
     """
 
     before: Fit
     after: Fit
     put_back: PutBack
     left_out: tuple[int, ...]
+    later: bool
 
     @property
     def change(self) -> np.ndarray:
@@ -87,11 +92,12 @@ def improve(
     by_name = {s.name: s for s in suspects}
     members = [by_name[name] for name in best.names]
     acting = _acting(compared, made, members, best.best())
+    later = _later(compared, acting)
     before, after = (
-        _fit(compared, made, effects, acting)
+        _fit(compared, made, effects, acting, later)
         for effects in ([(np.zeros(n), np.zeros((n, n)))], _effects(members))
     )
-    return Improvement(before, after, ran, acting)
+    return Improvement(before, after, ran, acting, later is not None)
 
 
 def _effects(members: Sequence[Suspect]) -> list[tuple[np.ndarray, np.ndarray]]:
@@ -123,16 +129,30 @@ def _acting(
     return tuple(sorted(found or [max(over, key=over.__getitem__)]))
 
 
-def _fit(compared: Layout, made: Library, effects: Effects, acting: tuple[int, ...]) -> Fit:
+def _later(compared: Layout, acting: tuple[int, ...]) -> np.ndarray | None:
+    """Which entries (n,) of the only acting stage are foreseen from its beginning; None where it is not a hold with one."""
+    own = compared.where(stage=acting[0])
+    first = own & np.array([e.channel == "strain" and e.end <= LATER for e in compared.entries])
+    if len(acting) > 1 or not (own & compared.where(kind="hold")).any() or not first.any():
+        return None
+    return own & ~first
+
+
+def _fit(
+    compared: Layout,
+    made: Library,
+    effects: Effects,
+    acting: tuple[int, ...],
+    later: np.ndarray | None,
+) -> Fit:
     difference = compared.measured - made.scatter.mean
     everything = np.ones(len(difference), dtype=bool)
-    stage = np.array([e.stage for e in compared.entries])
-    acts = np.isin(stage, acting)
+    acts = np.isin([e.stage for e in compared.entries], acting)
     noise = compared.noise
     mean, spread = predicted(difference, made.covariance, noise, effects, everything)
     foreseen, unseen = mean.copy(), spread.copy()
-    for left_out in acting:
-        own = stage == left_out
+    parts = [compared.where(stage=one) for one in acting] if later is None else [later]
+    for own in parts:
         told, doubt = predicted(difference, made.covariance, noise, effects, ~own)
         foreseen[own] = told[own]
         unseen[np.ix_(own, own)] = doubt[np.ix_(own, own)]
@@ -141,7 +161,7 @@ def _fit(compared: Layout, made: Library, effects: Effects, acting: tuple[int, .
     return Fit(
         error(compared, difference, mean, spread, everything),
         error(compared, difference, mean, spread, acts),
-        error(compared, difference, foreseen, unseen, acts),
+        error(compared, difference, foreseen, unseen, np.any(parts, axis=0)),
         mean,
         foreseen,
     )

@@ -11,15 +11,16 @@ from grus.diagnosis.estimate import Culprit, simulated
 from grus.diagnosis.evidence import Explanation
 from grus.diagnosis.layout import Layout
 from grus.diagnosis.plan import INSTRUMENT
+from grus.diagnosis.search import next_strength
 from grus.diagnosis.simulator import Simulator, Test
 from grus.diagnosis.suspect import Known, Suspect
 
 RUNS = 4
 """Specimens with which the model is run again."""
-TRIALS = 3
+TRIALS = 5
 """Sizes that are tried, at most."""
-FAINT, STRONGER = 0.05, 8.0
-"""Effect over the one asked for below which a size says nothing of others, and the factor to the next one."""
+FARTHEST = 8.0
+"""Factor on a size to the next one, at most, where those of the fingerprint do not lie farther apart."""
 CLOSE = 0.35
 """Difference in the logarithm of the effect at which a size is taken."""
 
@@ -146,29 +147,18 @@ def _next(
 ) -> tuple[Culprit, ...] | None:
     """The culprits with another value: where the runs so far, in the logarithm, say the effect is as wanted."""
     parameter = suspect.fingerprint.parameter
-    name = _name(suspect)
-    own = next(c for c in culprits if c.name == name)
+    own = next(c for c in culprits if c.name == _name(suspect))
     now = own.parameters[0].value
     off = parameter.off or 0.0
-    points.append((now, share))
-    if max(s for _, s in points) < FAINT:
-        weak, strong = suspect.fingerprint.sizes[0], suspect.fingerprint.sizes[-1]
-        stronger = STRONGER if abs(strong - off) > abs(weak - off) else 1 / STRONGER
-        value = min(max(off + (now - off) * stronger, parameter.low), parameter.high)
-        return _changed(culprits, own, value) if value != now else None
-    ordered = sorted((np.log(max(s, 1e-4)), np.log(max(abs(v - off), 1e-12))) for v, s in points)
-    logs, places = np.array(ordered).T
-    above = int(np.searchsorted(logs, 0.0))
-    if 0 < above < len(logs):
-        low, high = above - 1, above
-    else:
-        low, high = (0, 1) if above == 0 else (len(logs) - 2, len(logs) - 1)
-    rise = logs[high] - logs[low]
-    if rise <= 0:
-        return None
-    place = places[low] - logs[low] * (places[high] - places[low]) / rise
-    # Not farther than a factor of a hundred from what was run.
-    place = float(np.clip(place, places.min() - np.log(100), places.max() + np.log(100)))
+    # The fingerprint may have the same size, from fewer specimens.
+    points[:] = [one for one in points if not np.isclose(one[0], now)] + [(now, share)]
+    sizes = suspect.fingerprint.sizes
+    strongest = sizes[-1] if len(sizes) > 1 else parameter.sizes[-1]
+    apart = np.log(abs(strongest - off)) - np.log(abs(sizes[0] - off))
+    strengths = [
+        (np.sign(apart) * np.log(max(abs(v - off), 1e-12)), np.log(max(s, 1e-4))) for v, s in points
+    ]
+    place = np.sign(apart) * next_strength(strengths, max(abs(apart), np.log(FARTHEST)))
     side = -1.0 if parameter.off is not None and points[0][0] < off else 1.0
     value = min(max(off + side * np.exp(place), parameter.low), parameter.high)
     if abs(value - now) <= 1e-3 * abs(now):

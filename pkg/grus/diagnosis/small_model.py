@@ -14,6 +14,9 @@ SLOW = 0.01
 """Speed of the platens [m/s]."""
 QUIET = 400
 """Steps at rest that end a stage."""
+MOST_STEPS = 2_000_000
+"""Steps after which a stage is given up: a specimen that collapses altogether takes many more than any other, and says
+nothing. Steps and not seconds, so that a busy machine gives the same verdict."""
 FILLED = 0.8
 """Area of a grain's elements over that of its outline, about."""
 
@@ -35,6 +38,7 @@ def small_model(card: Card) -> Card:
             "preparation.void_ratio_tolerance": LOOSE,
             # A small specimen comes to rest sooner: waves cross it in some 150 steps.
             "oedometer.quiet_steps": min(card.oedometer.quiet_steps, QUIET),
+            "oedometer.max_steps": min(card.oedometer.max_steps, MOST_STEPS),
             # Faster platens would send waves of some ten kPa ahead of them.
             "oedometer.speed": f"{min(float(card.oedometer.speed), SLOW):g} m/s",
             "oedometer.fast_speed": None,

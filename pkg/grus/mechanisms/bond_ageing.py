@@ -24,9 +24,9 @@ MECHANISM = Mechanism(
         Parameter(
             "reference_time",
             "s",
-            low=1.0,
+            low=1e-6,
             high=1e9,
-            sizes=(1e5, 1e4, 1e3),
+            sizes=(1e3, 1.0, 1e-3),
             logarithmic=True,
             meaning="Time t0: a bond under a small constant stress lasts t0/(n + 1) (stress/strength)^-n; shorter is stronger.",
         ),

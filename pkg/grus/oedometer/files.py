@@ -1,6 +1,7 @@
 """Checkpoint and stages of one oedometer test in a folder."""
 
 import shutil
+import time
 from pathlib import Path
 
 import h5py
@@ -18,7 +19,10 @@ NUMBERS = [name for name in StageEnd.__annotations__ if name not in GROUPS]
 
 
 class TestFiles:
-    """`folder`/stages holds the last scene and the end of every stage. Raises GrusError when it is another card's."""
+    """`folder`/stages holds the last scene and the end of every stage. Raises GrusError when it is another card's.
+
+    saved: when the scene was saved last (`time.monotonic()`). took: how long that took [s].
+    """
 
     __test__ = False  # not one for pytest
 
@@ -26,7 +30,8 @@ class TestFiles:
         claim(folder, card)
         self.home, self.folder = folder, folder / "stages"
         self.folder.mkdir(exist_ok=True)
-        self.scene = self.folder / "scene.yade.gz"
+        self.scene = self.folder / "scene.yade"  # compressed it takes three times as long
+        self.saved, self.took = time.monotonic(), 0.0
         discard_partial(self.folder)
 
     def discard(self) -> None:
@@ -44,8 +49,11 @@ class TestFiles:
             self.home.rmdir()
 
     def save_scene(self) -> None:
+        start = time.monotonic()
         with replacing(self.scene) as partial:
             O.save(str(partial), quiet=True)
+        self.saved = time.monotonic()
+        self.took = self.saved - start
 
     def load_scene(self) -> bool:
         """Makes the saved scene the current one; False when there is none. Raises GrusError for one of another build."""

@@ -18,7 +18,7 @@ from grus.oedometer.test import at_end, ledger, servo
 Progress = Callable[[float, str], None]
 """Called with the share of the test that is done (0 while the specimen is prepared) and a line on what is going on."""
 SAVING = 0.05
-"""Largest share of the time that goes into checkpoints."""
+"""Largest share of the time that goes into checkpoints within a stage."""
 
 
 class StageRun:
@@ -43,7 +43,6 @@ class StageRun:
     def finish(self, tell: Progress) -> None:
         """Raises GrusError when the specimen comes to a bad end, or when the stage takes too many steps."""
         slices = Slices()
-        saved, took = time.monotonic(), 0.0
         while not at_end():
             try:
                 slices.run()
@@ -51,11 +50,8 @@ class StageRun:
                 self._fail(str(complaint))
             tell(*self._progress())
             self._give_up_in_time()
-            if time.monotonic() - saved > max(self.checkpoint, took / SAVING):
-                start = time.monotonic()
+            if time.monotonic() - self.files.saved > max(self.checkpoint, self.files.took / SAVING):
                 self.files.save_scene()
-                saved = time.monotonic()
-                took = saved - start
 
     def _progress(self) -> tuple[float, str]:
         s, clock = servo(), ageing()

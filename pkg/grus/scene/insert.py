@@ -17,6 +17,7 @@ def insert(specimen: Specimen, material: BondMat, first_grain: int = 0) -> list[
     """
     O.materials.append(material)
     properties = clump_properties(specimen, material.density)
+    first, second = specimen.bonds().T
     return list(
         _engines.insertSpecimen(
             position=[Vector3(*row) for row in specimen.position.tolist()],
@@ -30,6 +31,8 @@ def insert(specimen: Specimen, material: BondMat, first_grain: int = 0) -> list[
             clumpInertia=[
                 Matrix3(*tensor) for tensor in properties.inertia.reshape(-1, 9).tolist()
             ],
+            first=first.tolist(),
+            second=second.tolist(),
             material=material,
         )
     )

@@ -39,7 +39,7 @@ def test_bad_end_of_a_stage(gentle, tmp_path, specimens, how, words):
     with pytest.raises(GrusError, match=words) as caught:
         oedometer(gentle, tmp_path, disturbed(2, how), specimens)
     message = str(caught.value)
-    scene = tmp_path / "stages" / "scene.yade.gz"
+    scene = tmp_path / "stages" / "scene.yade"
     assert len(message.splitlines()) == 1
     for part in ("plane.toml", "stage 2, load to 60 kPa", f"last good state is {scene}"):
         assert part in message
@@ -59,7 +59,7 @@ def test_stage_that_does_not_end(gentle, tmp_path, specimens):
         GrusError, match="oedometer.max_steps = 200: stage 0, seat at 5 kPa has not"
     ):
         oedometer(hasty, tmp_path, specimens=specimens)
-    assert (tmp_path / "stages" / "scene.yade.gz").exists()
+    assert (tmp_path / "stages" / "scene.yade").exists()
 
 
 @pytest.mark.parametrize("there_before", [False, True])

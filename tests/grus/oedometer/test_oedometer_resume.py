@@ -56,7 +56,7 @@ def test_killed_at_any_moment(plane, plane_result, tmp_path, specimens):
     for _ in range(2):
         command = [sys.executable, "-c", RUN, plane.source, str(folder), str(specimens)]
         process = subprocess.Popen(command)
-        scene = folder / "stages" / "scene.yade.gz"
+        scene = folder / "stages" / "scene.yade"
         while not scene.exists() and process.poll() is None:
             time.sleep(0.02)
         time.sleep(wait)
@@ -70,7 +70,7 @@ def test_killed_at_any_moment(plane, plane_result, tmp_path, specimens):
 def test_interrupt_saves_the_middle_of_a_stage(plane, plane_result, tmp_path, specimens, share):
     with pytest.raises(KeyboardInterrupt, match=r"interrupted in stage \d, load to \d+ kPa, after"):
         oedometer(plane, tmp_path, cut_at(share, KeyboardInterrupt), specimens)
-    assert (tmp_path / "stages" / "scene.yade.gz").exists()
+    assert (tmp_path / "stages" / "scene.yade").exists()
     assert_same(plane_result, oedometer(plane, tmp_path, specimens=specimens))
 
 
@@ -78,7 +78,7 @@ def test_stage_saved_but_its_scene_not(plane, plane_result, tmp_path, specimens)
     """As when a process is killed between the two."""
     with pytest.raises(KeyboardInterrupt):
         oedometer(plane, tmp_path, cut_at(0.6, KeyboardInterrupt), specimens)
-    scene = tmp_path / "stages" / "scene.yade.gz"
+    scene = tmp_path / "stages" / "scene.yade"
     middle = scene.read_bytes()
     oedometer(plane, tmp_path, specimens=specimens)
     scene.write_bytes(middle)
@@ -109,7 +109,7 @@ def test_folder_of_another_card_is_refused(plane, plane_folder, plane_result, sp
     assert (plane_folder / "stages" / "stage-003.h5").exists()
 
 
-@pytest.mark.parametrize("name", ["scene.yade.gz", "stage-001.h5"])
+@pytest.mark.parametrize("name", ["scene.yade", "stage-001.h5"])
 def test_damaged_checkpoint_is_told(gentle, tmp_path, specimens, name):
     oedometer(gentle, tmp_path, specimens=specimens)
     path: Path = tmp_path / "stages" / name

@@ -56,6 +56,16 @@ SEALED = (
     ("poor", "hertzian_contact"),
     ("poor",),
 )
+# Shown to the reader: creep in four holds, with drift and noise, stages unlabelled.
+DEMONSTRATION = Trial(
+    "single",
+    "creep",
+    effects.draw_base(np.random.default_rng(1)),
+    {"bond_ageing": {"delayed": 4e-4, "delayed_power": 1.8, "delayed_time": 0.3}},
+    ("ae_events",),
+    Concealment(microns=1.0, stress=0.002, drift=2e-5, labelled=False, ramp=24, hold=28),
+    seed=4,
+)
 PROGRAMS = {
     "development": ("steps", "long-hold", "loops"),
     "sealed": ("steps", "long-hold", "loops", "small", "high"),

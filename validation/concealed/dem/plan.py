@@ -71,16 +71,6 @@ SEALED = {
         (0, "pair", "wetting_collapse", "instrument_drift"),
     ),
 }
-# Shown to the reader: creep, with drift and noise, stages unlabelled.
-DEMONSTRATION = Trial(
-    "single",
-    MATERIAL.program,
-    MATERIAL.base,
-    {"bond_ageing": {"exponent": 18.0, "reference_time": 0.005}},
-    ("ae_events",),
-    Concealment(microns=1.0, stress=0.002, drift=2e-5, labelled=False, ramp=24, hold=28),
-    MATERIAL.seed,
-)
 
 
 def draw(effect: str, program: str, rng: np.random.Generator) -> dict[str, float]:

@@ -30,7 +30,8 @@ SHEAR_RATIO = (
     0.85  # shear over normal stiffness of glass spheres (Mindlin 1949, Poisson ratio 0.25)
 )
 WALLS = 6
-PACKING_MODULUS = 12e9  # Pa; one for all, since another leads to another packing
+PACKING_MODULUS = 12e9  # Pa; one for all linear contacts, since another leads to another packing
+POISSON = 0.22  # of glass, in Hertz contacts
 MARGIN, POINTS = 1.5, 100_000
 WALL = 100.0  # stiffness of the walls over that of a sphere
 DAMPING = 0.4
@@ -42,11 +43,13 @@ INERTIAL = 3e-4  # inertial number of the test at the first stress
 
 @dataclass(frozen=True)
 class Beads:
-    """Modulus [Pa] by which a sphere of radius R has the stiffness 2 E R, friction coefficient, and that of the preparation."""
+    """modulus [Pa]: by it a sphere of radius R has the stiffness 2 E R; with `hertz` Young's modulus of the spheres.
+    friction: coefficient. packing_friction: that of the preparation."""
 
     modulus: float
     friction: float
     packing_friction: float
+    hertz: bool = False
 
 
 def loaded(beads: Beads, stresses: list[float]) -> tuple[Record, float]:
@@ -62,8 +65,9 @@ def loaded(beads: Beads, stresses: list[float]) -> tuple[Record, float]:
     walls = add_walls(np.zeros(3), box, steel)
     glass = BondMat(
         label="glass",
-        young=PACKING_MODULUS,
-        poisson=SHEAR_RATIO,
+        contactLaw="hertz" if beads.hertz else "linear",
+        young=beads.modulus if beads.hertz else PACKING_MODULUS,
+        poisson=POISSON if beads.hertz else SHEAR_RATIO,
         frictionAngle=atan(beads.packing_friction),
         density=DENSITY,
         bond="none",
@@ -91,7 +95,8 @@ def loaded(beads: Beads, stresses: list[float]) -> tuple[Record, float]:
     engines.start([servo])
     _stage(servo, stresses[0])
     _set_friction(glass, beads.friction)
-    _set_modulus(beads.modulus, engines)
+    if not beads.hertz:
+        _set_modulus(beads.modulus, engines)
     servo.maxSpeed = _test_speed(stresses[0], servo.height)
     _stage(servo, stresses[0])
     found = porosity(np.array([O.bodies[one].state.pos for one in ids]), specimen.radius, walls)

@@ -9,6 +9,7 @@ from grus.diagnosis.improvement import Fit
 from grus.diagnosis.predict import Error
 from grus.diagnosis.report.spoken import number, probability, quantity, strain
 from grus.diagnosis.report.stages import numbers
+from grus.diagnosis.report.words import foreseen
 from grus.mechanisms import MECHANISMS
 
 
@@ -40,7 +41,7 @@ def errors(d: Diagnosis) -> Table:
     fit, scale = d.improvement, d.calibration.stiffness
     out = numbers(d, fit.left_out)
     of = {
-        f"{out}, each foreseen from all other stages": lambda one: one.left_out,
+        f"{out}, {foreseen(fit)}": lambda one: one.left_out,
         f"{out}, after all were seen": lambda one: one.where_it_acts,
         "all stages, after all were seen": lambda one: one.overall,
     }

@@ -6,7 +6,7 @@ import numpy as np
 from scipy.stats import chi2
 
 from grus.diagnosis.diagnosis import Diagnosis
-from grus.diagnosis.improvement import Improvement
+from grus.diagnosis.improvement import LATER, Improvement
 from grus.diagnosis.layout import Layout
 from grus.diagnosis.locate import StageMisfit
 from grus.diagnosis.report.spoken import chances, number, probability, quantity, size, strain
@@ -201,20 +201,27 @@ def _what_improves(d: Diagnosis) -> str:
         return "Nothing was put back into the model."
     before, after = fit.before.left_out.rmse_strain, fit.after.left_out.rmse_strain
     scale = d.calibration.stiffness
-    if len(fit.left_out) == 1 and after > FORETOLD * before:
+    if len(fit.left_out) == 1 and not fit.later and after > FORETOLD * before:
         without, seen = (f.where_it_acts.rmse_strain / scale for f in (fit.before, fit.after))
         return (
             f"What was left out acts on {numbers(d, fit.left_out)} only, which no other stage can foretell. Error of strain "
             f"there, once it was seen: {strain(without)} without, {strain(seen)} with what was left out."
         )
     told = (
-        f"Error of strain on {numbers(d, fit.left_out)}, each foreseen from all other stages: "
+        f"Error of strain on {numbers(d, fit.left_out)}, {foreseen(fit)}: "
         f"{strain(before / scale)} without, {strain(after / scale)} with what was left out"
     )
     if 0 < after < before:
         told += f", {number(before / after)} times less"
     overfit = " This is overfit: what was left out gets no better." if fit.overfit else ""
     return f"{told}.{overfit}"
+
+
+def foreseen(fit: Improvement) -> str:
+    """From what the stages that were left out are foreseen."""
+    if fit.later:
+        return f"what comes after {LATER:.0%} of its time, foreseen from what was before and from all other stages"
+    return "each foreseen from all other stages"
 
 
 def _cannot_tell(d: Diagnosis) -> str:
