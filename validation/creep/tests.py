@@ -16,6 +16,8 @@ LEVELS = (100, 200, 300, 400)
 UNLOADED = 100
 """The stress of the last hold [kPa]."""
 DAY = 86400.0
+DAMPING = 0.2
+"""Of the card it would hold back the stress on its way from the top to a fixed base."""
 
 
 def stages() -> list[str]:
@@ -28,7 +30,12 @@ def stages() -> list[str]:
 def card(seed: int = 1) -> grus.Card:
     """The quick card with these stages, over a base that is fixed as the ring is."""
     return grus.Card.from_file(ROOT / "models" / "quick.toml").with_overrides(
-        {"oedometer.stages": stages(), "oedometer.platens": "top", "seed": seed}
+        {
+            "oedometer.stages": stages(),
+            "oedometer.platens": "top",
+            "oedometer.damping": DAMPING,
+            "seed": seed,
+        }
     )
 
 

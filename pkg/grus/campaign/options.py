@@ -29,6 +29,12 @@ def choices(text: str) -> tuple[str, list[Any]]:
     return name, [_value(value.strip()) for value in values.split(",")]
 
 
+def setting(text: str) -> tuple[str, Any]:
+    """Key and value of "bond.tensile_strength=3 MPa". Raises GrusError."""
+    name, value = _split(text, "set", "as bond.tensile_strength=3 MPa")
+    return name, _value(value.strip())
+
+
 def span(text: str) -> tuple[str, Range]:
     """Key and range of "bond.tensile_strength=1..3 MPa". Raises GrusError."""
     example = "as bond.tensile_strength=1..3 MPa"
@@ -52,7 +58,7 @@ def named(pairs: Iterable[tuple[str, T]], taken: Collection[str] = ()) -> dict[s
 def _split(text: str, option: str, example: str) -> tuple[str, str]:
     name, equals, values = text.partition("=")
     if not (name.strip() and equals and values.strip()):
-        raise GrusError(f"{option} = {text!r}; allowed: a key and its values, {example}")
+        raise GrusError(f"{option} = {text!r}; allowed: a key and what it is set to, {example}")
     return name.strip(), values
 
 

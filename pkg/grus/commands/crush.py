@@ -5,12 +5,13 @@ from typing import Optional
 import typer
 from rich.console import Console
 
-from grus.card import Card
+from grus.commands.model import MODEL, SET, model_card
 from grus.commands.progress import progress_bar
 
 
 def crush(
-    model: str = typer.Argument(..., help="Model card, a file in TOML."),
+    model: str = MODEL,
+    settings: list[str] = SET,
     grains: int = typer.Option(30, min=1, help="Number of grains."),
     jobs: Optional[int] = typer.Option(
         None, min=1, help="Grains crushed at a time.", show_default="one a core"
@@ -21,7 +22,7 @@ def crush(
     # Not at the top: matplotlib and VTK would slow every other command.
     from grus.crushing import crush_group, summary, write_report
 
-    card = Card.from_file(model)
+    card = model_card(model, settings)
     with progress_bar("crushing") as show:
         tell = Console(stderr=True, highlight=False, soft_wrap=True).print
         group = crush_group(card, grains, out, jobs, show, tell)

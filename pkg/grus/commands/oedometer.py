@@ -4,12 +4,13 @@ from typing import Optional
 
 import typer
 
-from grus.card import Card
+from grus.commands.model import MODEL, SET, model_card
 from grus.commands.staged_progress import staged_progress
 
 
 def oedometer(
-    model: str = typer.Argument(..., help="Model card, a file in TOML."),
+    model: str = MODEL,
+    settings: list[str] = SET,
     out: str = typer.Option(..., help="Folder for the results."),
     specimens: Optional[str] = typer.Option(
         None,
@@ -27,7 +28,7 @@ def oedometer(
     from grus.oedometer import Analysis, summary, write_report
     from grus.oedometer import oedometer as run
 
-    card = Card.from_file(model)
+    card = model_card(model, settings)
     with staged_progress() as show:
         result = run(card, out, show, specimens, restart=not resume)
     analysis = Analysis.of(result)

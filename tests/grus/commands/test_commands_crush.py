@@ -117,3 +117,38 @@ def test_interrupted_run_goes_on(tmp_path):
     assert again.returncode == 0, again.stderr
     assert not list(out.glob("grains/.*"))
     assert all(path.stat().st_mtime_ns == stamp for path, stamp in stamps.items())
+
+
+def test_a_key_that_is_set(tmp_path):
+    """It takes the place of the card's, and the results say so."""
+    out = tmp_path / "out"
+    run = grus(
+        "crush",
+        fast_card(tmp_path),
+        "--grains",
+        2,
+        "--set",
+        "bond.tensile_strength=7 MPa",
+        "--out",
+        out,
+    )
+    assert run.returncode == 0, run.stderr
+    assert "7000000" in json.dumps(json.loads((out / "result.json").read_text())["card"]["bond"])
+
+
+@pytest.mark.parametrize(
+    "setting, message",
+    [
+        (
+            "bond.tensile_strength",
+            "set = 'bond.tensile_strength'; allowed: a key and what it is set to",
+        ),
+        ("bond.tensile_strength=7 m", 'bond.tensile_strength = "7 m"'),
+        ("bond.strength=7 MPa", "bond.strength"),
+    ],
+)
+def test_bad_settings(tmp_path, setting, message):
+    run = grus("crush", CARD, "--set", setting, "--out", tmp_path / "out")
+    assert run.returncode == 2
+    assert message in run.stderr and len(run.stderr.strip().splitlines()) == 1
+    assert not (tmp_path / "out").exists()
