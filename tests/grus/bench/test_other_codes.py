@@ -2,6 +2,7 @@
 
 import os
 import re
+import time
 
 import psutil
 import pytest
@@ -68,10 +69,19 @@ def test_waiting_esys_keeps_no_core_busy():
         worker.ready()
         ranks = psutil.Process(worker.process.pid).children()
         assert len(ranks) == 2
-        assert psutil.STATUS_STOPPED in {rank.status() for rank in ranks}
+        assert any(_comes_to_a_stop(rank) for rank in ranks)
     finally:
         worker.close()
     assert not any(rank.is_running() and rank.status() != psutil.STATUS_ZOMBIE for rank in ranks)
+
+
+def _comes_to_a_stop(rank: psutil.Process) -> bool:
+    """It stops itself after its answer, a moment later on a busy machine."""
+    for _ in range(50):
+        if rank.status() == psutil.STATUS_STOPPED:
+            return True
+        time.sleep(0.1)
+    return False
 
 
 def test_absent_programs_are_left_out(monkeypatch, tmp_path):
