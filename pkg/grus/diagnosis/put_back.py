@@ -155,10 +155,11 @@ def _next(
     sizes = suspect.fingerprint.sizes
     strongest = sizes[-1] if len(sizes) > 1 else parameter.sizes[-1]
     apart = np.log(abs(strongest - off)) - np.log(abs(sizes[0] - off))
+    upwards = -1.0 if apart < 0 else 1.0
     strengths = [
-        (np.sign(apart) * np.log(max(abs(v - off), 1e-12)), np.log(max(s, 1e-4))) for v, s in points
+        (upwards * np.log(max(abs(v - off), 1e-12)), np.log(max(s, 1e-4))) for v, s in points
     ]
-    place = np.sign(apart) * next_strength(strengths, max(abs(apart), np.log(FARTHEST)))
+    place = upwards * next_strength(strengths, max(abs(apart), np.log(FARTHEST)))
     side = -1.0 if parameter.off is not None and points[0][0] < off else 1.0
     value = min(max(off + side * np.exp(place), parameter.low), parameter.high)
     if abs(value - now) <= 1e-3 * abs(now):
