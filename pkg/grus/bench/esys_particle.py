@@ -6,8 +6,16 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 
-from grus.bench.block import DENSITY, RADIUS, SKIN, STIFFNESS, UNBREAKABLE
-from grus.bench.block import block, time_step, velocities
+from grus.bench.block import (
+    DENSITY,
+    RADIUS,
+    SKIN,
+    STIFFNESS,
+    UNBREAKABLE,
+    block,
+    time_step,
+    velocities,
+)
 from grus.bench.cases import Case
 from grus.bench.worker import Worker
 

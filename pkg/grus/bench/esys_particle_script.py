@@ -23,7 +23,6 @@ sys.excepthook = stop
 
 from esys.lsm import (
     InteractionScalarFieldSaverPrms,
-    InteractionScalarFieldSaverPrms,
     LsmMpi,
     RotBondPrms,
 )

@@ -7,6 +7,7 @@ import typer
 from rich.console import Console
 
 from grus.card import Card
+from grus.commands.model import MODEL
 from grus.commands.progress import progress_bar
 
 
@@ -26,7 +27,7 @@ class Plan(str, Enum):
 
 
 def campaign(
-    model: str = typer.Argument(..., help="Model card, a file in TOML."),
+    model: str = MODEL,
     out: str = typer.Option(
         ...,
         help="Folder of the store; a campaign that was cut off goes on, and others may share it.",
