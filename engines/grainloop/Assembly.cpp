@@ -39,8 +39,8 @@ void Assembly::divide() {
         s.elementBegin = static_cast<int>(elements.size());
         s.elementEnd = 0;
         for (int k = s.pairBegin; k < s.pairEnd; ++k) {
-            s.elementBegin = std::min(s.elementBegin, pairs.first[k]);
-            s.elementEnd = std::max(s.elementEnd, pairs.second[k] + 1);
+            s.elementBegin = std::min({s.elementBegin, pairs.first[k], pairs.second[k]});
+            s.elementEnd = std::max({s.elementEnd, pairs.first[k] + 1, pairs.second[k] + 1});
         }
         if (t > 0)
             continue;

@@ -60,8 +60,10 @@ void loads(const Bodies& b, const Elements& e, const Forces& forces, int begin, 
     return v + dt * physics::damped(a, v, damping, dt);
 }
 
-/// Energy that damping takes, as NewtonIntegrator books it.
-[[gnu::always_inline]] inline double taken(double v, double load) { return std::abs(v) * std::abs(load); }
+/// Power that damping takes from a component of the motion, over the damping; none from one that is prescribed.
+[[gnu::always_inline]] inline double taken(double v, double load, double free) {
+    return free * std::abs(v) * std::abs(load);
+}
 
 struct PlaneView {
     double* __restrict__ x, * __restrict__ y, * __restrict__ vx, * __restrict__ vy, * __restrict__ w;
@@ -76,7 +78,9 @@ struct PlaneView {
         const int s = k - begin;
         const double damping = m.damping * v.damped[k];
         out.damped[s] =
-            damping * dt * (taken(v.vx[k], out.fx[s]) + taken(v.vy[k], out.fy[s]) + taken(v.w[k], out.mz[s]));
+            damping * dt *
+            (taken(v.vx[k], out.fx[s] + v.mass[k] * gx, v.freeX[k]) +
+             taken(v.vy[k], out.fy[s] + v.mass[k] * gy, v.freeY[k]) + taken(v.w[k], out.mz[s], v.freeTurn[k]));
         out.gravity[s] = -dt * v.mass[k] * (gx * v.vx[k] + gy * v.vy[k]);
         const double vx = faster(v.vx[k], out.fx[s], v.mass[k], gx, v.freeX[k], damping, dt);
         const double vy = faster(v.vy[k], out.fy[s], v.mass[k], gy, v.freeY[k], damping, dt);
@@ -141,9 +145,12 @@ template <bool aspherical>
     const Vec3 force(out.fx[s], out.fy[s], out.fz[s]), moment(out.mx[s], out.my[s], out.mz[s]);
     Vec3 velocity = polar<3>(v.velocity, k), rate = axial<3>(v.rate, k);
     const Vec3 free = polar<3>(v.free, k), freeTurn = axial<3>(v.freeTurn, k), inertia = axial<3>(v.inertia, k);
-    out.damped[s] = damping * dt *
-                    (taken(velocity[0], force[0]) + taken(velocity[1], force[1]) + taken(velocity[2], force[2]) +
-                     taken(rate[0], moment[0]) + taken(rate[1], moment[1]) + taken(rate[2], moment[2]));
+    out.damped[s] =
+        damping * dt *
+        (taken(velocity[0], force[0] + mass * m.gravity[0], free[0]) +
+         taken(velocity[1], force[1] + mass * m.gravity[1], free[1]) +
+         taken(velocity[2], force[2] + mass * m.gravity[2], free[2]) + taken(rate[0], moment[0], freeTurn[0]) +
+         taken(rate[1], moment[1], freeTurn[1]) + taken(rate[2], moment[2], freeTurn[2]));
     out.gravity[s] = -dt * mass * m.gravity.dot(velocity);
     velocity = {faster(velocity[0], force[0], mass, m.gravity[0], free[0], damping, dt),
                 faster(velocity[1], force[1], mass, m.gravity[1], free[1], damping, dt),

@@ -38,23 +38,25 @@ void BondMat::postLoad(BondMat&) {
     requireName("contactLaw", contactLaw, contactNames);
     require(unloadingRatio >= 1 && std::isfinite(unloadingRatio), "BondMat.unloadingRatio", unloadingRatio,
             "1 or more");
-    require(rollingStiffness >= 0, "BondMat.rollingStiffness", rollingStiffness, "0 or more");
-    require(rollingFriction >= 0, "BondMat.rollingFriction", rollingFriction, "0 or more");
+    require(rollingStiffness >= 0 && std::isfinite(rollingStiffness), "BondMat.rollingStiffness", rollingStiffness,
+            "0 or more");
+    require(rollingFriction >= 0 && std::isfinite(rollingFriction), "BondMat.rollingFriction", rollingFriction,
+            "0 or more");
     require(!hertz() || unloadingRatio == 1, "BondMat.unloadingRatio", unloadingRatio, "1 with contactLaw 'hertz'");
     require(bond != "contact" || !(hertz() || unloadingRatio > 1), "BondMat.bond", "'contact'",
             "'none' or 'parallel' with contactLaw 'hertz' or an unloadingRatio above 1");
     require(!hertz() || (young > 0 && poisson > -1 && poisson <= 0.5), "BondMat.young, poisson",
             std::to_string(young) + ", " + std::to_string(poisson),
             "young more than 0 and poisson above -1, at most 0.5, with contactLaw 'hertz'; set them first");
-    require(!std::isnan(kn), "BondMat.kn", kn, "a number");
-    require(!std::isnan(ks), "BondMat.ks", ks, "a number");
+    require(std::isfinite(kn), "BondMat.kn", kn, "a finite number");
+    require(std::isfinite(ks), "BondMat.ks", ks, "a finite number");
     const bool scattered = scatterKind() != grus::physics::Scatter::None;
     require(!scattered || scatterParameter > 0, "BondMat.scatterParameter", scatterParameter,
             "more than 0 with scatter '" + scatter + "'; set it first");
     require(scatter != "normal" || scatterParameter < 1, "BondMat.scatterParameter", scatterParameter,
             "below 1 with scatter 'normal'");
-    require(bondKn >= 0, "BondMat.bondKn", bondKn, "0 or more");
-    require(bondKs >= 0, "BondMat.bondKs", bondKs, "0 or more");
+    require(bondKn >= 0 && std::isfinite(bondKn), "BondMat.bondKn", bondKn, "0 or more");
+    require(bondKs >= 0 && std::isfinite(bondKs), "BondMat.bondKs", bondKs, "0 or more");
     require(bondRadiusRatio > 0, "BondMat.bondRadiusRatio", bondRadiusRatio, "more than 0");
     require(momentContribution >= 0 && momentContribution <= 1, "BondMat.momentContribution", momentContribution,
             "0 to 1");

@@ -50,13 +50,16 @@ Real BondTimeStepper::criticalStep(Scene* ncb) const {
             continue;
         const Body& one = carrier(interaction->id1, ncb);
         const Body& two = carrier(interaction->id2, ncb);
-        for (const auto& [body, other] : {std::pair{&one, &two}, std::pair{&two, &one}}) {
-            if (!canMove(*body))
-                continue;
-            const auto k = springs(*phys, std::min(geom->radius1, geom->radius2));
-            physics::addSprings(stiffness[body->id], k, geom->contactPoint - body->state->pos, geom->normal,
-                                canMove(*other) ? 2 : 1);
-        }
+        const auto k = springs(*phys, std::min(geom->radius1, geom->radius2));
+        const auto add = [&](const Body& body, const Vector3r& place, const Body& other) {
+            if (canMove(body))
+                physics::addSprings(stiffness[body.id], k, geom->contactPoint - place, geom->normal,
+                                    canMove(other) ? 2 : 1);
+        };
+        const Vector3r shift =
+            ncb->isPeriodic ? ncb->cell->intrShiftPos(interaction->cellDist) : Vector3r(Vector3r::Zero());
+        add(one, one.state->pos, two);
+        add(two, two.state->pos + shift, one);
     }
     Real smallest = std::numeric_limits<Real>::infinity();
     for (const auto& body : ncb->bodies->body) {

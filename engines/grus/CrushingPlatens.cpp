@@ -59,6 +59,8 @@ void CrushingPlatens::measure() {
     scene->forces.sync();
     const Vector2r position{platen(bottom, *scene, name).pos[axis], platen(top, *scene, name).pos[axis]};
     const Vector2r onPlatens{scene->forces.getForce(bottom)[axis], scene->forces.getForce(top)[axis]};
+    if (!onPlatens.allFinite() || !position.allFinite())
+        throw std::runtime_error("CrushingPlatens: the force on a platen is not a number");
     work -= 0.5 * (onPlatens + lastForce).dot(position - lastPosition);
     force = 0.5 * (onPlatens[1] - onPlatens[0]);
     closing = initialGap - (position[1] - position[0]);

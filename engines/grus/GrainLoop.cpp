@@ -1,6 +1,8 @@
 #include <grus/GrainLoop.hpp>
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 
 #include <core/Body.hpp>
 #include <core/EnergyTracker.hpp>
@@ -29,7 +31,8 @@ void GrainLoop::action() {
         bookBreakage(losses);
         load();
         // The run may have to end before the sub-steps do, as it was told to or because an engine has just said so.
-        const bool last = left == 1 || scene->stopAtIter == scene->iter + 1;
+        const bool last = left == 1 || scene->stopAtIter == scene->iter + 1 ||
+                          (scene->stopAtTime > 0 && scene->time + scene->dt >= scene->stopAtTime);
         if (last) { // contacts belong to the positions before the motion, as after a step of YADE's own
             handBackInteractions();
             handBackForces();
@@ -45,6 +48,10 @@ void GrainLoop::action() {
 }
 
 void GrainLoop::search() {
+    for (std::size_t i = 0; i < elementId.size(); ++i)
+        if (!assembly.elements.position[i].allFinite())
+            throw std::runtime_error("GrainLoop: the position of body " + std::to_string(elementId[i]) +
+                                     " is not a number");
     const auto smallest = std::min_element(assembly.elements.radius.begin(), assembly.elements.radius.end());
     const Real automatic = smallest == assembly.elements.radius.end() ? 0 : 0.2 * *smallest;
     assembly.search(skin > 0 ? skin : automatic);

@@ -43,6 +43,7 @@ private:
     // scene to arrays
     void gather();
     void refuseEngines() const;
+    void refuseForces() const;
     void gatherWalls();
     void gatherBodies();
     void gatherBody(int number, const Body&);

@@ -25,6 +25,8 @@ namespace {
 
 constexpr const char* instead = "use InteractionLoop and NewtonIntegrator instead";
 
+constexpr const char* unbounded = "is not bounded, so that nothing should touch it; give it a mask of its own";
+
 [[noreturn]] void refuse(const std::string& what) { throw std::runtime_error("GrainLoop: " + what); }
 
 [[noreturn]] void refuseBody(const Body& body, const std::string& what) {
@@ -57,7 +59,7 @@ bool isPlane(const Scene& scene, const Vector3r& gravity) {
             return false;
         if (body->isClumpMember())
             continue;
-        if ((state.blockedDOFs & out) != out || body->isAspherical())
+        if ((state.blockedDOFs & out) != out)
             return false;
         if (body->isClump() && (state.ori.x() != 0 || state.ori.y() != 0))
             return false;
@@ -99,6 +101,7 @@ void GrainLoop::gather() {
 void GrainLoop::refuseEngines() const {
     if (scene->isPeriodic)
         refuse(std::string("the scene is periodic; ") + instead);
+    refuseForces();
     if (scene->forces.getPermForceUsed())
         refuse(std::string("a body has a permanent force; ") + instead);
     for (const auto& engine : scene->engines) {
@@ -109,6 +112,17 @@ void GrainLoop::refuseEngines() const {
         if (!engine->dead && std::count(loading.begin(), loading.end(), engine))
             refuse(name + " is in GrainLoop.loading; take it out of O.engines");
     }
+}
+
+/// Those that were put on bodies since the last step: only the loop's own count.
+void GrainLoop::refuseForces() const {
+    auto& forces = scene->forces;
+    if (forces.synced)
+        return;
+    forces.sync();
+    for (const auto& body : scene->bodies->body)
+        if (body && !(forces.getForce(body->id).isZero() && forces.getTorque(body->id).isZero()))
+            refuseBody(*body, "has a force that an engine or a script put on it");
 }
 
 void GrainLoop::gatherWalls() {
@@ -123,6 +137,8 @@ void GrainLoop::gatherWalls() {
         materialOf(*body);
         if (state.blockedDOFs != State::DOF_ALL || !state.angVel.isZero())
             refuseBody(*body, "is a wall that turns or moves by forces");
+        if (!body->isBounded())
+            refuseBody(*body, unbounded);
         wallOf[body->id] = static_cast<int>(wallId.size());
         wallId.push_back(body->id);
         grainloop::Wall wall;
@@ -141,6 +157,7 @@ void GrainLoop::gatherBodies() {
         int first, id; // smallest element id, by which bodies are sorted, and the body's own
     };
     std::vector<Entry> order;
+    constexpr unsigned turns = State::DOF_RX | State::DOF_RY | State::DOF_RZ;
     for (const auto& body : scene->bodies->body) {
         if (!body || body->isClumpMember() || wallOf[body->id] >= 0)
             continue;
@@ -152,7 +169,8 @@ void GrainLoop::gatherBodies() {
         const auto* members = clump ? &static_cast<const Clump&>(*body->shape).members : nullptr;
         if (members && members->empty())
             continue;
-        order.push_back({body->isAspherical() && body->state->blockedDOFs != State::DOF_ALL,
+        // As NewtonIntegrator does, which turns a body of which an axis is blocked as if it were a sphere.
+        order.push_back({body->isAspherical() && !(body->state->blockedDOFs & turns),
                          clump ? members->begin()->first : body->id, body->id});
     }
     std::sort(order.begin(), order.end(), [](const Entry& a, const Entry& b) {
@@ -215,6 +233,8 @@ void GrainLoop::gatherBody(int b, const Body& body) {
         const int id = elementId[i];
         const Body& member = *Body::byId(id, scene);
         const auto* sphere = dynamic_cast<const Sphere*>(member.shape.get());
+        if (!member.isBounded())
+            refuseBody(member, unbounded);
         if (!sphere)
             refuseBody(member, "in a clump is a " + member.shape->getClassName() + ", not a Sphere");
         elementOf[id] = i;

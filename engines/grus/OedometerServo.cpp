@@ -62,7 +62,7 @@ void OedometerServo::begin(Real stress, bool settled) {
 
 void OedometerServo::resume(int expectedBreaks) {
     Scene& now = *Omega::instance().getScene();
-    if (done && now.stopAtIter == now.iter + 1)
+    if (done && stoppedAt == now.iter && now.stopAtIter == now.iter + 1)
         now.stopAtIter = stopBefore;
     awaitRest(expectedBreaks);
 }
@@ -111,8 +111,10 @@ void OedometerServo::measure() {
     topStress = force[1] / area;
     bottomStress = -force[0] / area;
     Real onSides = 0;
-    for (const int id : sides)
+    for (const int id : sides) {
+        platen(id, *scene, "OedometerServo.sides");
         onSides += std::abs(scene->forces.getForce(id)[wallAxis(*Body::byId(id, scene))]);
+    }
     sideStress = sides.empty() || sideBreadth <= 0 ? 0 : onSides / (sides.size() * sideBreadth * height);
 }
 
@@ -151,6 +153,7 @@ void OedometerServo::watchRest() {
     done = true;
     record();
     stopBefore = scene->stopAtIter;
+    stoppedAt = scene->iter;
     scene->stopAtIter = scene->iter + 1;
 }
 

@@ -77,6 +77,7 @@ public:
         ((std::vector<Real>, recordDamped, , Attr::readonly, "Energy taken by damping so far [J]; needs ``O.trackEnergy``."))
         ((int, stage, -1, Attr::readonly, "Number of the stage, from 0; -1 before the first."))
         ((long, stopBefore, 0, Attr::hidden, "Step at which the run was to stop before the end of the stage stopped it."))
+        ((long, stoppedAt, -1, Attr::hidden, "Step in which the end of the stage stopped it."))
         ((int, quiet, 0, Attr::hidden, "Steps at rest in a row."))
         ((int, stageBreaks, 0, Attr::hidden, "Broken bonds when the stage began."))
         ((int, quietBreaks, 0, Attr::hidden, "Broken bonds when the stretch of rest began."))

@@ -40,6 +40,14 @@ class Avalanche(Known, ABC):
     def levels(self, size: float) -> np.ndarray:
         return stage_levels(self.compared, self.change(size))
 
+    def of_fingerprint(self, size: float) -> float:
+        """Effect of the fingerprint whose runs strain as much; no more than those of the strongest, no less than none."""
+        ran, _ = self.amounts()
+        amount = self.amount(size)
+        if amount < ran[0]:
+            return amount / ran[0]
+        return float(np.interp(np.log(amount), np.log(ran), np.arange(1, len(ran) + 1)))
+
     def bracket(self, size: float) -> tuple[float, ...]:
         """The neighbouring sizes that were run: between them few specimens come to one avalanche more or less."""
         ran, sizes = self.amounts()

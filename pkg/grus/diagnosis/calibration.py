@@ -77,7 +77,8 @@ def _next(tried: dict[int, float]) -> int | None:
     if not strong:
         last = sorted(weak)[-2:]
         # Where nothing breaks, nothing changes with strength.
-        if len(last) == 2 and np.isclose(tried[last[0]], tried[last[1]], rtol=1e-3):
+        known = [tried[s] for s in last]
+        if len(known) == 2 and np.isfinite(known).all() and np.isclose(*known, rtol=1e-3):
             return None
         return max(weak) + 2 if max(weak) + 2 <= STRONGEST else None
     between = (min(strong) + max(weak)) // 2

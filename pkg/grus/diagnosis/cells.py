@@ -80,9 +80,9 @@ def cells(
     hats = _hats(at, knots)
     # A weak pull to straight lines, for cells whose readings lie at one end.
     bend = np.diff(np.eye(len(knots)), 2, axis=0) * 1e-3 if len(knots) > 2 else np.zeros((0, 2))
-    fit = np.linalg.lstsq(np.vstack([hats, bend]), np.eye(len(at) + len(bend))[:, : len(at)], None)
-    changes = np.diff(np.eye(len(knots)), axis=0) @ fit[0]
-    rest = record["axial_strain"][rows] - hats @ fit[0] @ record["axial_strain"][rows]
+    fit = np.linalg.pinv(np.vstack([hats, bend]))[:, : len(at)]
+    changes = np.diff(np.eye(len(knots)), axis=0) @ fit
+    rest = record["axial_strain"][rows] - hats @ (fit @ record["axial_strain"][rows])
     variances = _variances(rest, at, knots, sigma)
     return Cells(stage, segment.kind, rows, at, knots, changes, (changes * variances) @ changes.T)
 

@@ -14,6 +14,7 @@ import numpy as np
 
 from grus.diagnosis.avalanche import Avalanche
 from grus.diagnosis.layout import Layout
+from grus.diagnosis.protocol import LOWEST
 from grus.diagnosis.suspect import looseness
 
 EXPONENT = 20.0
@@ -105,7 +106,8 @@ def _by_law(compared: Layout, time: float, power: float, memory: bool) -> np.nda
         own = np.flatnonzero(compared.where(stage=stage, kind="hold", channel="strain"))
         if not len(own):
             continue
-        level = (segment.stress_to / highest) ** power
+        stress = max(segment.stress_to, LOWEST * highest)
+        level = (stress / highest) ** power
         if not compared.protocol.timed:
             held = (s.stress_to for s in segments[:stage])
             before = max(held, default=0.0) if memory else 0.0
@@ -114,7 +116,7 @@ def _by_law(compared: Layout, time: float, power: float, memory: bool) -> np.nda
         used = time
         if memory:
             used += sum(
-                (s.t1 - s.t0) * (max(s.stress_from, s.stress_to) / segment.stress_to) ** EXPONENT
+                (s.t1 - s.t0) * (max(s.stress_from, s.stress_to) / stress) ** EXPONENT
                 for s in segments[:stage]
                 if s.kind == "hold"
             )

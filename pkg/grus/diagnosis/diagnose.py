@@ -23,18 +23,20 @@ from grus.diagnosis.locate import misfit
 from grus.diagnosis.measurement import next_measurement
 from grus.diagnosis.plan import SEEDS, directions
 from grus.diagnosis.protocol import protocol
-from grus.diagnosis.put_back import put_back
+from grus.diagnosis.put_back import PutBack, put_back
+from grus.diagnosis.scaling import Scaling
 from grus.diagnosis.simulator import Simulator
 from grus.diagnosis.small_model import small_model
 from grus.diagnosis.suspect import UNKNOWN, Known, Suspect, Unknown
-from grus.diagnosis.verdict import decide
+from grus.diagnosis.verdict import confirmed, decide
 from grus.diagnosis.whiteness import whiteness
+from grus.mechanisms import MECHANISMS
 from grus.record import Record
 from grus.recording import read, segments
 
 RUNS = "diagnosis-runs"
 """Folder of the runs, in the current one."""
-TEMPER = 0.6
+TEMPER = 0.8
 """Power of the likelihood; found on development trials. The covariance knows less of specimens than there is."""
 
 
@@ -72,7 +74,7 @@ def diagnose(
     with Simulator(small, plan, store, jobs, deadline, say) as simulator:
         calibration = calibrate(layout(recording, plan), simulator, seeds)
         compared = calibration.compared
-        wanted = directions(plan)
+        wanted, unfit = directions(plan, small)
         made = library(compared, simulator, calibration.base, seeds, wanted, recording)
         suspected = suspects(compared, made)
         difference = compared.measured - made.scatter.mean
@@ -80,10 +82,10 @@ def diagnose(
         found = explanations(difference, covariance, suspected, TEMPER)
         rest = _rest(difference, covariance, found, suspected)
         decision = decide(found, not made.skipped, rest.smallest)
-        stiffness = calibration.stiffness
-        named = culprits(
-            decision.named, decision.probability, found, suspected, stiffness, plan.scale
+        scaling = Scaling(
+            calibration.stiffness, plan.scale, _height(small) / _height(card, recording)
         )
+        named = culprits(decision.named, decision.probability, found, suspected, scaling)
         if decision.kind == "named":
             best = _best(found, decision.named)
             ran = put_back(
@@ -94,11 +96,14 @@ def diagnose(
                 named,
                 best,
                 suspected,
-                stiffness,
+                scaling,
             )
             if ran is not None:
                 named = list(ran.culprits)
                 improvement = improve(compared, made, best, suspected, ran)
+            decision = confirmed(decision, None if ran is None else ran.reproduced)
+            if decision.kind == "cannot_tell":
+                telling = _unreproduced(ran)
         elif decision.kind == "cannot_tell":
             telling = _missing(made) or next_measurement(
                 recording, compared, made, found, suspected
@@ -122,8 +127,17 @@ def diagnose(
         seed=seed,
         runs=len(simulator.outcomes),
         seconds=time.monotonic() - start,
-        notes=recording.notes,
+        notes=(
+            *recording.notes,
+            *(f"{MECHANISMS[k].title} was not looked for: {why}" for k, why in unfit.items()),
+        ),
     )
+
+
+def _height(card: Card, recording: Record | None = None) -> float:
+    """Of the recording's specimen [m] where it is known, else of the card's."""
+    known = None if recording is None else recording.meta.get("height")
+    return float(card.specimen.height if known is None else known)
 
 
 def _best(found: Sequence[Explanation], named: Sequence[str]) -> Explanation:
@@ -138,6 +152,16 @@ def _missing(made: Library) -> str:
     if not made.skipped:
         return ""
     return f"no measurement yet: first the runs of {', '.join(made.skipped)}, with a larger budget"
+
+
+def _unreproduced(ran: PutBack | None) -> str:
+    """Why a mechanism that fits is not named."""
+    why = (
+        "no run with it came to an end"
+        if ran is None
+        else f"the runs with it show {ran.reproduced:.2g} times the effect that the recording asks for"
+    )
+    return f"no measurement, but other runs: the mechanism fits, but {why}"
 
 
 def suspects(compared: Layout, made: Library) -> list[Suspect]:

@@ -74,9 +74,9 @@ class Diagnosis:
             "mechanisms": [one.to_dict() for one in self.culprits],
             "probability": self.decision.probability,
             "misfit": [one.to_dict() for one in self.misfit],
-            "before": None if fit is None else fit.before.to_dict(),
-            "after": None if fit is None else fit.after.to_dict(),
-            "overfit": None if fit is None else fit.overfit,
+            "before": None if fit is None else fit.before.to_dict(self.calibration.stiffness),
+            "after": None if fit is None else fit.after.to_dict(self.calibration.stiffness),
+            "overfit": fit.overfit if fit is not None and fit.foretold else None,
             "reproduced": None if fit is None else fit.put_back.reproduced,
             "stages_left_out": None
             if fit is None

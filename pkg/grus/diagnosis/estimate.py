@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from grus.diagnosis.evidence import Explanation
-from grus.diagnosis.plan import INSTRUMENT
+from grus.diagnosis.scaling import Scaling
 from grus.diagnosis.suspect import Known, Suspect
 
 INTERVAL = (0.05, 0.95)
@@ -54,18 +54,15 @@ def culprits(
     probability: dict[str, float],
     found: Sequence[Explanation],
     suspects: Sequence[Suspect],
-    stiffness: float,
-    scale: float,
+    scaling: Scaling,
 ) -> list[Culprit]:
-    """Mechanisms by name with their sizes, from all explanations that hold them; stiffness: factor of the calibration,
-    by which strains were multiplied. scale: stresses that were simulated over those of the recording.
-    """
+    """Mechanisms by name with their sizes, from all explanations that hold them."""
     known = {s.name: s for s in suspects if isinstance(s, Known)}
     result = []
     for name in names:
         best = next(e for e in found if any(n.split(":")[0] == name for n in e.names))
         estimates = [
-            _estimate(known[member], best, place, stiffness, scale)
+            _estimate(known[member], best, place, scaling)
             for place, member in enumerate(best.names)
             if member.split(":")[0] == name
         ]
@@ -78,19 +75,7 @@ def culprits(
     return result
 
 
-def simulated(name: str, unit: str, stiffness: float, scale: float) -> float:
-    """Value of a mechanism's parameter in the runs over that in the laboratory.
-
-    Strains were multiplied by the stiffness, and what an instrument adds to them was, too; stresses by the scale.
-    """
-    if name in INSTRUMENT:
-        return stiffness
-    return scale if unit == "Pa" else 1.0
-
-
-def _estimate(
-    suspect: Known, best: Explanation, place: int, stiffness: float, scale: float
-) -> Estimate:
+def _estimate(suspect: Known, best: Explanation, place: int, scaling: Scaling) -> Estimate:
     fingerprint = suspect.fingerprint
     weight: dict[float, float] = {}
     for sizes, share in best.sizes:
@@ -99,7 +84,7 @@ def _estimate(
     shares = np.cumsum([weight[size] for size in sizes])
     middle = float(np.interp(0.5, shares, sizes))
     ends = [float(np.interp(share, shares, sizes)) for share in INTERVAL]
-    factor = 1 / simulated(fingerprint.mechanism.name, fingerprint.parameter.unit, stiffness, scale)
+    factor = 1 / scaling.simulated(fingerprint.mechanism.name, fingerprint.parameter.unit)
     found = [*(suspect.value(size) for size in ends), *suspect.bracket(middle)]
     values = sorted(factor * value for value in found)
     return Estimate(

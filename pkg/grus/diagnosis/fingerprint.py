@@ -18,6 +18,10 @@ LEAST = 0.05
 """Smallest effect that is considered, over that of the smallest size run."""
 POINTS = 48
 """Sizes between which a mechanism is looked for."""
+ALIKE = 0.5
+"""Least sum over the holds of a change, over the sum of its sizes, for which they are taken to share their course with time."""
+FEW = {2: 1.196, 3: 1.495, 4: 1.363, 5: 1.206, 6: 1.2, 7: 1.14, 8: 1.129, 9: 1.107}
+"""Corrections of the median absolute deviation for small samples (Croux & Rousseeuw 1992, Computational Statistics 1:411-428)."""
 
 
 @dataclass(frozen=True)
@@ -91,12 +95,27 @@ def fingerprint(
         holds = compared.where(kind="hold")
         # Breakage makes first loading heavy-tailed; in holds the mean counts, for creep comes in few large steps.
         mean = np.where(holds, differences.mean(0), np.median(differences, 0))
-        spread = differences.std(0, ddof=1) if len(differences) > 1 else np.abs(mean)
         changes.append(_smoothed(mean, compared))
-        errors.append(spread / np.sqrt(len(differences)))
+        errors.append(np.where(holds, _error_of_mean(differences), _error_of_median(differences)))
     return Fingerprint(
         mechanism, parameter, tuple(sizes), np.array(changes), np.array(errors), sign
     )
+
+
+def _error_of_mean(differences: np.ndarray) -> np.ndarray:
+    """Standard error (n,) of the mean of (seeds, n); that of one seed is as large as itself."""
+    if len(differences) == 1:
+        return np.abs(differences[0])
+    return differences.std(0, ddof=1) / np.sqrt(len(differences))
+
+
+def _error_of_median(differences: np.ndarray) -> np.ndarray:
+    """The same of the median, in which one specimen that rearranged at another stress than the rest counts no more than any."""
+    count = len(differences)
+    if count == 1:
+        return np.abs(differences[0])
+    deviation = 1.4826 * np.median(np.abs(differences - np.median(differences, 0)), 0)
+    return FEW.get(count, count / (count - 0.8)) * deviation * np.sqrt(np.pi / 2 / count)
 
 
 def _smoothed(change: np.ndarray, compared: Layout) -> np.ndarray:
@@ -113,7 +132,8 @@ def _smoothed(change: np.ndarray, compared: Layout) -> np.ndarray:
             groups.setdefault(key, []).append(own)
     for holds in groups.values():
         total = np.sum([change[own] for own in holds], axis=0)
-        if total.sum() == 0:
+        # Where holds or cells cancel there is no course that they share.
+        if abs(total.sum()) <= ALIKE * np.abs(total).sum():
             continue
         shares = total / total.sum()
         for own in holds:

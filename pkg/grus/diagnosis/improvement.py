@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from grus.diagnosis.collapse import Collapse
 from grus.diagnosis.evidence import Explanation
 from grus.diagnosis.layout import Layout
 from grus.diagnosis.library import Library
@@ -15,7 +16,8 @@ from grus.diagnosis.put_back import PutBack
 from grus.diagnosis.suspect import Suspect
 
 ACTS = 1.0
-"""Change of the strain of a stage, in standard deviations of specimens without it, from which a mechanism acts there."""
+"""Change of the strain of a stage, or of the stress at the base at its end, in standard deviations of specimens without it,
+from which a mechanism acts there."""
 LATER = 0.25
 """Share of the time of a hold after which it is foreseen, where what was left out acts in this hold only."""
 FEW = 5
@@ -38,20 +40,21 @@ class Fit:
     mean: np.ndarray
     foreseen: np.ndarray
 
-    def to_dict(self) -> dict[str, Any]:
-        """Without the curves."""
-        return {
-            **asdict(self.overall),
-            "where_it_acts": asdict(self.where_it_acts),
-            "left_out": asdict(self.left_out),
-        }
+    def to_dict(self, stiffness: float) -> dict[str, Any]:
+        """Without the curves; strains as recorded, which were multiplied by the stiffness of the calibration."""
+        overall, acts, left_out = (
+            asdict(one) | {"rmse_strain": one.rmse_strain / stiffness}
+            for one in (self.overall, self.where_it_acts, self.left_out)
+        )
+        return {**overall, "where_it_acts": acts, "left_out": left_out}
 
 
 @dataclass(frozen=True)
 class Improvement:
     """before, after: fits without and with the mechanisms. put_back: the runs in which they were put back into the
     engines. left_out: stages of the protocol in which they act, each of which was foreseen from the others. later: whether
-    it is one hold, of which only what comes after LATER of its time was.
+    it is one hold, of which only what comes after LATER of its time was. foretold: whether what was seen could foretell it:
+    the rest of the test says nothing of a single ramp, nor of a collapse.
     """
 
     before: Fit
@@ -59,6 +62,7 @@ class Improvement:
     put_back: PutBack
     left_out: tuple[int, ...]
     later: bool
+    foretold: bool = True
 
     @property
     def change(self) -> np.ndarray:
@@ -72,9 +76,10 @@ class Improvement:
 
     @property
     def overfit(self) -> bool:
-        """Whether only the stages that were fitted got better."""
+        """Whether only the stages that were fitted got better, of those that others could foretell."""
         return (
-            self.after.overall.rmse_strain < 0.9 * self.before.overall.rmse_strain
+            self.foretold
+            and self.after.overall.rmse_strain < 0.9 * self.before.overall.rmse_strain
             and self.after.left_out.rmse_strain >= self.before.left_out.rmse_strain
         )
 
@@ -97,7 +102,9 @@ def improve(
         _fit(compared, made, effects, acting, later)
         for effects in ([(np.zeros(n), np.zeros((n, n)))], _effects(members))
     )
-    return Improvement(before, after, ran, acting, later is not None)
+    sudden = all(isinstance(m, Collapse) for m in members)
+    foretold = not sudden and (later is not None or len(acting) > 1)
+    return Improvement(before, after, ran, acting, later is not None, foretold)
 
 
 def _effects(members: Sequence[Suspect]) -> list[tuple[np.ndarray, np.ndarray]]:
@@ -115,16 +122,18 @@ def _effects(members: Sequence[Suspect]) -> list[tuple[np.ndarray, np.ndarray]]:
 def _acting(
     compared: Layout, made: Library, members: Sequence[Suspect], sizes: Sequence[float]
 ) -> tuple[int, ...]:
-    """Stages whose strain any of them changes by more than specimens scatter; the one that comes closest when there is
-    none."""
+    """Stages whose strain or stress at the base any of them changes by more than specimens scatter; the one that comes
+    closest when there is none."""
     covariance = made.covariance + compared.noise
+    effects = [m.effect(size)[0] for m, size in zip(members, sizes)]
     over: dict[int, float] = {}
     for stage in {e.stage for e in compared.entries}:
-        own = compared.where(stage=stage, channel="strain")
-        if own.any():
-            spread = np.sqrt(covariance[np.ix_(own, own)].sum())
-            changes = [m.effect(s)[0][own].sum() for m, s in zip(members, sizes)]
-            over[stage] = float(np.abs(changes).max() / spread)
+        for channel in ("strain", "base"):
+            own = compared.where(stage=stage, channel=channel)
+            if own.any():
+                spread = np.sqrt(covariance[np.ix_(own, own)].sum())
+                times = max(abs(float(change[own].sum())) for change in effects) / spread
+                over[stage] = max(over.get(stage, 0.0), float(times))
     found = [stage for stage, times in over.items() if times > ACTS]
     return tuple(sorted(found or [max(over, key=over.__getitem__)]))
 

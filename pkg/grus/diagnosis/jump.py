@@ -22,6 +22,8 @@ CLEAR = 6.0
 """Least jump over its standard error."""
 MOST_OF_IT = 0.5
 """Least jump over all that the hold adds from then on."""
+MOST = 400
+"""Readings of a hold that are looked at; where there are more, means of neighbours."""
 FLOOR = 2e-6
 """Strain [-] below which no reading is believed."""
 
@@ -47,15 +49,19 @@ def _of_hold(record: Record, segment: Segment, stage: int) -> Jump | None:
     rows = np.arange(segment.first, segment.last + 1)
     rows = rows[np.isfinite(record["axial_strain"][rows])]
     at, strain = places(record, segment, rows), record["axial_strain"][rows]
+    if len(rows) > MOST:
+        at, strain = (
+            np.array([part.mean() for part in np.array_split(x, MOST)]) for x in (at, strain)
+        )
     # What creeps or drifts: a jump is what neither can be.
     smooth = np.column_stack([np.ones(len(at)), at, np.log(at + EARLY)])
     best: Jump | None = None
-    for last in range(1, len(rows) - 2):
+    for last in range(1, len(at) - 2):
         for first in (last + 1, last + 2):
-            if at[last] < SETTLED or first + 2 > len(rows):
+            if at[last] < SETTLED or first + 2 > len(at):
                 continue
-            kept = np.r_[: last + 1, first : len(rows)]
-            design = np.column_stack([smooth, np.arange(len(rows)) >= first])[kept]
+            kept = np.r_[: last + 1, first : len(at)]
+            design = np.column_stack([smooth, np.arange(len(at)) >= first])[kept]
             if len(kept) < FEWEST:
                 continue
             found, _, rank, _ = np.linalg.lstsq(design, strain[kept], None)

@@ -147,7 +147,8 @@ def _heard(record: Record, parts: list[Cells]) -> list[Cells]:
     """Holds whose acoustic events are compared."""
     if "ae_events" not in record.channels or _number(record) < FEWEST_EVENTS:
         return []
-    return [part for part in parts if part.kind == "hold"]
+    heard = np.isfinite(record["ae_events"])
+    return [part for part in parts if part.kind == "hold" and heard[part.rows].sum() > 1]
 
 
 def _number(record: Record) -> float:

@@ -51,9 +51,9 @@ def library(
     """Makes the runs that are missing. Raises GrusError when the base itself cannot be simulated."""
     unrecorded = _unrecorded(recording, measured)
     plain = simulator.run([Test(base, seed) for seed in seeds[:SEEDS]], "base")
-    few = [test.seed for test in plain][:PAIRED]
+    every = [test.seed for test in plain]
     whole = base.unbreakable()
-    elastic = simulator.run([Test(whole, seed) for seed in few], "without breakage")
+    elastic = simulator.run([Test(whole, seed) for seed in every], "without breakage")
     if len(plain) < 2 or not elastic:
         raise GrusError(_failure(simulator))
     without = plain | elastic
@@ -63,10 +63,11 @@ def library(
         np.array(list(off.values())),
         np.median([measured.of(record) for record in elastic.values()], axis=0),
     )
-    nuisances = _nuisances(measured, simulator, base, without, few)
+    nuisances = _nuisances(measured, simulator, base, without, every)
     tests = {
         (d, size): [
-            Test(_paired(base, d), seed, ((d.mechanism.name, d.values(size)),)) for seed in few
+            Test(off, seed, ((d.mechanism.name, d.values(size)),))
+            for off, seed in _paired(base, d, every)
         ]
         for d in wanted
         for size in d.sizes
@@ -87,8 +88,7 @@ def library(
             if d.free:
                 written = [
                     (d.mechanism.distort(record, dict(d.values(size))), record)
-                    for test, record in plain.items()
-                    if test.seed in few
+                    for record in plain.values()
                 ]
             else:
                 written = [
@@ -120,8 +120,11 @@ def _unrecorded(recording: Record, measured: Layout) -> Layout:
     return layout(replace(recording, channels=channels, units=units), measured.protocol)
 
 
-def _paired(base: Base, direction: Direction) -> Base:
-    return base.unbreakable() if direction.mechanism.name in WHOLE else base
+def _paired(base: Base, direction: Direction, seeds: Sequence[int]) -> list[tuple[Base, int]]:
+    """What a mechanism is switched on in."""
+    if direction.mechanism.name in WHOLE:
+        return [(base.unbreakable(), seed) for seed in seeds]
+    return [(base, seed) for seed in seeds[:PAIRED]]
 
 
 def _nuisances(
@@ -136,7 +139,10 @@ def _nuisances(
     if base.strength is not None:
         # Towards the stronger: weaker specimens may collapse.
         changed["strength"] = (base, replace(base, strength=base.strength + 1), 1.0)
-    tests = {name: [Test(on, seed) for seed in seeds] for name, (_, on, _) in changed.items()}
+    tests = {
+        name: [Test(on, seed) for seed in (seeds if on.strength is None else seeds[:PAIRED])]
+        for name, (_, on, _) in changed.items()
+    }
     records = simulator.run([t for of in tests.values() for t in of], "ordinary parameters")
     middle = np.median([measured.of(r) for t, r in without.items() if t.base == base], axis=0)
     # Strain goes as 1/stiffness.

@@ -94,13 +94,16 @@ def _ratio(
     second: Explanation,
 ) -> float:
     """Largest difference of a stress ratio at the end of a stage."""
-    prints = dict(zip((s.name for s in suspects if isinstance(s, Known)), made.ratios))
+    known = [s for s in suspects if isinstance(s, Known)]
+    prints = {s.name: (s, ratios) for s, ratios in zip(known, made.ratios)}
     own = made.unrecorded.where(channel=channel)
     changes = []
     for one in (first, second):
-        members = [(n, size) for n, size in zip(one.names, one.best()) if n in prints]
-        changes.append(
-            sum((prints[n].at(size)[0][own] for n, size in members), np.zeros(own.sum()))
-        )
+        total = np.zeros(own.sum())
+        for name, size in zip(one.names, one.best()):
+            if name in prints:
+                suspect, ratios = prints[name]
+                total += ratios.at(suspect.of_fingerprint(size))[0][own]
+        changes.append(total)
     scale = np.hypot(RATIO[channel], RATIO_LEVEL[channel])
     return float(np.abs(changes[0] - changes[1]).max(initial=0) / scale)

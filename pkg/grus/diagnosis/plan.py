@@ -2,13 +2,16 @@
 
 from dataclasses import dataclass
 
+from grus.card import Card
 from grus.diagnosis.protocol import Protocol
+from grus.errors import GrusError
 from grus.mechanisms import MECHANISMS, Mechanism, Parameter
 
 SEEDS = 5
 """Specimens of the base, whose scatter counts."""
 PAIRED = 3
-"""Specimens of each fingerprint."""
+"""Specimens of a fingerprint for which bonds may break. Those of the others are all of SEEDS: one specimen in three or four
+rearranges at another stress when a force changes a little, and their runs serve every recording of the same program."""
 WHOLE = ("wall_friction", "hertzian_contact", "contact_plasticity", "rolling_resistance")
 """Mechanisms whose fingerprint is taken where no bond breaks: whatever changes a force a little sets off other avalanches,
 and of what that changes nothing is the mechanism's own. Such runs serve bonds of any strength."""
@@ -36,11 +39,16 @@ class Direction:
         return ((self.parameter.name, size),)
 
 
-def directions(program: Protocol) -> list[Direction]:
-    """All that can be looked for in a recording."""
-    result = []
+def directions(program: Protocol, card: Card) -> tuple[list[Direction], dict[str, str]]:
+    """All that can be looked for in a recording, and the mechanisms that this card cannot be given, with the reason."""
+    result, unfit = [], {}
     for mechanism in MECHANISMS.values():
         if not shows(mechanism, program):
+            continue
+        try:
+            mechanism.apply(card, {})
+        except GrusError as error:
+            unfit[mechanism.name] = str(error)
             continue
         free = mechanism.name in INSTRUMENT
         for parameter in mechanism.parameters if free else mechanism.parameters[:1]:
@@ -52,7 +60,7 @@ def directions(program: Protocol) -> list[Direction]:
             kept = sizes if free else sizes[:2]
             signs = (1, -1) if parameter.low < 0 < parameter.high else (1,)
             result.append(Direction(mechanism, parameter, kept, signs, free))
-    return result
+    return result, unfit
 
 
 def shows(mechanism: Mechanism, program: Protocol) -> bool:

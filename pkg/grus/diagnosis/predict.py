@@ -17,10 +17,12 @@ Effects = Sequence[tuple[np.ndarray, np.ndarray]]
 @dataclass(frozen=True)
 class Error:
     """rmse_strain: root mean square error of strain within stages, each counted from its own beginning [-]. chi2_dof:
-    chi-square over the numbers compared."""
+    chi-square over the numbers compared. rmse_base: root mean square error of the stress at the base over that at the
+    top, as a share of it [-]; None where it was not recorded."""
 
     rmse_strain: float
     chi2_dof: float
+    rmse_base: float | None = None
 
 
 def predicted(
@@ -83,7 +85,9 @@ def error(
             squares += float((np.cumsum(rest[own]) ** 2).sum())
             count += int(own.sum())
     whole = (covariance + compared.noise)[np.ix_(which, which)]
+    base = rest[which & compared.where(channel="base")]
     return Error(
         float(np.sqrt(squares / max(count, 1))),
         chi_squared(rest[which], whole) / max(int(which.sum()), 1),
+        float(np.sqrt(np.mean(base**2))) if len(base) else None,
     )

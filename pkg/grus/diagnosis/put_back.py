@@ -5,15 +5,18 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from grus.diagnosis.avalanche import Avalanche
 from grus.diagnosis.base import Base
 from grus.diagnosis.creep import Creep, course
-from grus.diagnosis.estimate import Culprit, simulated
+from grus.diagnosis.estimate import Culprit
 from grus.diagnosis.evidence import Explanation
 from grus.diagnosis.layout import Layout
 from grus.diagnosis.plan import INSTRUMENT
+from grus.diagnosis.scaling import Scaling
 from grus.diagnosis.search import next_strength
 from grus.diagnosis.simulator import Simulator, Test
 from grus.diagnosis.suspect import Known, Suspect
+from grus.mechanisms import Parameter
 
 RUNS = 4
 """Specimens with which the model is run again."""
@@ -28,8 +31,8 @@ CLOSE = 0.35
 @dataclass(frozen=True)
 class PutBack:
     """change (n,): what the mechanisms changed in the runs, with the time course of delayed failure smoothed. raw (n,): as it
-    was. error (n,): standard error of its mean over the specimens. reproduced: effect in the runs over the one that the
-    recording asks for [-]. culprits: with the values that were run. specimens: that came to an end.
+    was. error (n,): standard error of its mean over the specimens. reproduced: effect on strain in the runs over the one that the
+    recording asks for [-], in holds where one of several acts there and its size is sought. culprits: with the values that were run. specimens: that came to an end.
     """
 
     change: np.ndarray
@@ -48,35 +51,47 @@ def put_back(
     named: Sequence[Culprit],
     best: Explanation,
     suspects: Sequence[Suspect],
-    stiffness: float,
+    scaling: Scaling,
 ) -> PutBack | None:
     """Runs the model with the mechanisms on, on a few specimens; None when no run came to an end.
 
-    best: the explanation, whose effect is aimed at. stiffness: of the calibration, by which strains are multiplied.
+    best: the explanation, whose effect is aimed at.
     """
     by_name = {s.name: s for s in suspects}
     members = [by_name[name] for name in best.names]
     sizes = dict(zip(best.names, best.best()))
     wanted = sum((m.effect(sizes[m.name])[0] for m in members), np.zeros(len(compared.measured)))
     ran = [m for m in members if isinstance(m, Known) and _name(m) not in INSTRUMENT]
+    sought = _sought(ran)
+    where = compared.where(channel="strain")
+    if isinstance(sought, Avalanche):
+        where &= sought.acts()
     culprits = tuple(named)
-    tried: list[PutBack] = []
-    points = _points(ran[0], compared, wanted) if len(ran) == 1 else []
-    for _ in range(TRIALS if len(ran) == 1 else 1):
-        found = _run(compared, simulator, base, seeds, culprits, stiffness)
+    tried: list[tuple[float, PutBack]] = []
+    points = [] if sought is None else _points(sought, where, wanted, scaling)
+    for _ in range(1 if sought is None else TRIALS):
+        found = _run(compared, simulator, base, seeds, culprits, scaling)
         if found is None:
             break
         raw, error, count = found
         change = _smooth(raw, compared, members, sizes)
-        share = _share(change, wanted, compared)
-        tried.append(PutBack(change, raw, error, share, culprits, count))
-        if not ran or abs(np.log(max(share, 1e-6))) < CLOSE:
+        share = _share(change, wanted, where)
+        off = abs(np.log(max(share, 1e-6)))
+        tried.append((off, PutBack(change, raw, error, share, culprits, count)))
+        if sought is None or off < CLOSE:
             break
-        following = _next(ran[0], culprits, share, points) if len(ran) == 1 else None
+        following = _next(sought, culprits, share, points)
         if following is None:
             break
         culprits = following
-    return min(tried, key=lambda t: abs(np.log(max(t.reproduced, 1e-6))), default=None)
+    return min(tried, key=lambda one: one[0])[1] if tried else None
+
+
+def _sought(ran: Sequence[Known]) -> Known | None:
+    """Of the mechanisms that are run, the one whose size is sought: the only one, or one whose effect in a few dozen grains is
+    most uncertain."""
+    uncertain = [m for m in ran if isinstance(m, Avalanche)]
+    return next(iter(uncertain or (ran if len(ran) == 1 else ())), None)
 
 
 def _run(
@@ -85,9 +100,9 @@ def _run(
     base: Base,
     seeds: Sequence[int],
     culprits: Sequence[Culprit],
-    stiffness: float,
+    scaling: Scaling,
 ) -> tuple[np.ndarray, np.ndarray, int] | None:
-    on = tuple((c.name, _simulated(c, stiffness, compared.protocol.scale)) for c in culprits)
+    on = tuple((c.name, _simulated(c, scaling)) for c in culprits)
     pairs = [(Test(base, seed, on), Test(base, seed)) for seed in seeds[:RUNS]]
     records = simulator.run([test for pair in pairs for test in pair], "put back")
     changes = [
@@ -102,16 +117,15 @@ def _run(
     return change, np.std(changes, axis=0) / np.sqrt(len(changes)), len(changes)
 
 
-def _share(change: np.ndarray, wanted: np.ndarray, compared: Layout) -> float:
-    """Effect on strain over the one that is wanted."""
-    strain = compared.where(channel="strain")
-    return float(change[strain] @ wanted[strain] / max(wanted[strain] @ wanted[strain], 1e-30))
+def _share(change: np.ndarray, wanted: np.ndarray, where: np.ndarray) -> float:
+    """Effect on the entries (n,) over the one that is wanted."""
+    return float(change[where] @ wanted[where] / max(wanted[where] @ wanted[where], 1e-30))
 
 
-def _simulated(culprit: Culprit, stiffness: float, scale: float) -> tuple[tuple[str, float], ...]:
+def _simulated(culprit: Culprit, scaling: Scaling) -> tuple[tuple[str, float], ...]:
     """Values of the parameters in the runs."""
     return tuple(
-        (one.name, simulated(culprit.name, one.unit, stiffness, scale) * one.value)
+        (one.name, scaling.simulated(culprit.name, one.unit) * one.value)
         for one in culprit.parameters
     )
 
@@ -132,12 +146,14 @@ def _name(suspect: Suspect) -> str:
     return suspect.name.split(":")[0]
 
 
-def _points(suspect: Known, compared: Layout, wanted: np.ndarray) -> list[tuple[float, float]]:
+def _points(
+    suspect: Known, where: np.ndarray, wanted: np.ndarray, scaling: Scaling
+) -> list[tuple[float, float]]:
     """Value of the parameter and effect over the wanted one, of the sizes that gave the fingerprint."""
     one = suspect.fingerprint
-    factor = simulated(_name(suspect), one.parameter.unit, 1.0, compared.protocol.scale)
+    factor = scaling.simulated(_name(suspect), one.parameter.unit)
     return [
-        (value / factor, _share(change, wanted, compared))
+        (value / factor, _share(change, wanted, where))
         for value, change in zip(one.sizes, one.changes)
     ]
 
@@ -164,14 +180,20 @@ def _next(
     value = min(max(off + side * np.exp(place), parameter.low), parameter.high)
     if abs(value - now) <= 1e-3 * abs(now):
         return None
-    return _changed(culprits, own, value)
+    return _changed(culprits, own, parameter, value)
 
 
-def _changed(culprits: Sequence[Culprit], own: Culprit, value: float) -> tuple[Culprit, ...]:
+def _changed(
+    culprits: Sequence[Culprit], own: Culprit, parameter: Parameter, value: float
+) -> tuple[Culprit, ...]:
     before = own.parameters[0]
-    # The interval is that of the fingerprint: it moves with the value that the runs ask for.
-    moved = value / before.value
-    low, high = sorted((moved * before.low, moved * before.high))
+    off = parameter.off or 0.0
+    # The interval is that of the fingerprint: it moves with the value that the runs ask for, on the same side of no effect.
+    moved = (value - off) / (before.value - off) if before.value != off else 1.0
+    low, high = sorted(
+        min(max(off + moved * (end - off), parameter.low), parameter.high)
+        for end in (before.low, before.high)
+    )
     estimate = replace(before, value=value, low=low, high=high)
     changed = replace(own, parameters=(estimate, *own.parameters[1:]))
     return tuple(changed if c is own else c for c in culprits)

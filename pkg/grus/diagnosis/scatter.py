@@ -11,10 +11,10 @@ import numpy as np
 
 from grus.diagnosis.layout import Layout
 
-LEVEL = {"load": 0.08, "seat": 0.4, "unload": 0.08, "reload": 0.08}
+LEVEL = {"load": 0.06, "seat": 0.4, "unload": 0.06, "reload": 0.06}
 """Standard deviation of the level of a stage where nothing breaks, as a share."""
-SHAPE = {"load": 0.13, "seat": 0.3, "unload": 0.13, "reload": 0.11}
-"""From cell to cell."""
+SHAPE = {"load": 0.1, "seat": 0.3, "unload": 0.1, "reload": 0.08}
+"""From cell to cell. With these the misfit of ramps is 0.8 a number in development trials whose ramps have no effect."""
 BROKEN_LEVEL, BROKEN_SHAPE = 1.0, 0.3
 """The same of the strain that comes from breakage."""
 BEDDING = 0.3
@@ -48,6 +48,7 @@ def scatter(compared: Layout, vectors: np.ndarray, elastic: np.ndarray) -> Scatt
     size = np.abs(mean)
     covariance = np.zeros((len(mean), len(mean)))
     before = 0.0
+    softness = _softness(compared, elastic)
     share = np.array([e.end for e in compared.entries]) / compared.protocol.highest
     breakable = np.clip((share - CALM[0]) / (CALM[1] - CALM[0]), 0.0, 1.0)
     for stage in sorted({e.stage for e in compared.entries}):
@@ -56,6 +57,8 @@ def scatter(compared: Layout, vectors: np.ndarray, elastic: np.ndarray) -> Scatt
             continue
         kind = next(e.kind for e in compared.entries if e.stage == stage)
         if kind == "hold":
+            # Where no loading before it is compared: what that would have strained.
+            before = before or softness * compared.protocol.segments[stage].stress_to
             settling = np.full(own.sum(), SETTLING[1] * before)
             settling[0] = SETTLING[0] * before
             covariance[np.ix_(own, own)] += np.diag(settling**2)
@@ -77,6 +80,15 @@ def scatter(compared: Layout, vectors: np.ndarray, elastic: np.ndarray) -> Scatt
         moving = own * ~compared.where(kind="hold")
         covariance += np.outer(level, level) + np.diag(spread**2 * own + MOVING**2 * moving)
     return Scatter(mean, elastic, covariance + _observed(compared, vectors))
+
+
+def _softness(compared: Layout, elastic: np.ndarray) -> float:
+    """Strain over stress [1/Pa] of all ramps without breakage; 0 without ramps."""
+    ramps = compared.where(channel="strain") & ~compared.where(kind="hold")
+    spans = sum(
+        abs(compared.entries[i].end - compared.entries[i].start) for i in np.flatnonzero(ramps)
+    )
+    return float(np.abs(elastic[ramps]).sum()) / spans if spans else 0.0
 
 
 def _alike(compared: Layout, vectors: np.ndarray) -> np.ndarray:

@@ -10,8 +10,9 @@ from grus.diagnosis.layout import Layout
 
 LEVEL, SHAPE = 0.4, 0.25
 """Scatter of an effect from stage to stage and from cell to cell of it, as a share: another specimen, another law."""
-RATIO = 0.2
-"""Scatter of a change of stress ratios from stage to stage: what walls carry follows from one coefficient."""
+RATIO, REVERSED = 0.2, 0.6
+"""Scatter of a change of stress ratios from stage to stage, as a share: what walls carry follows from one coefficient. More after
+unloading: how far the friction of walls has turned round by then depends on the travel that it needs."""
 MATTERS = 0.1
 """Effect in a stage over the largest, from which its sign is looked at."""
 EVENTS = 0.6
@@ -77,6 +78,10 @@ class Known:
             return np.zeros((len(change), 0))
         return stage_levels(self.compared, change)
 
+    def of_fingerprint(self, size: float) -> float:
+        """Effect of the fingerprint at a size of the grid."""
+        return size
+
     def value(self, size: float) -> float:
         """The parameter at a size of the grid."""
         return self.fingerprint.value(size)
@@ -94,12 +99,19 @@ def stage_levels(compared: Layout, change: np.ndarray) -> np.ndarray:
     """What one standard deviation of its level in a stage adds to a change (n,): (n, m) for the m stages where it matters."""
     strain = compared.where(channel="strain")
     parts = [
-        np.where(strain & compared.where(stage=stage), LEVEL * change, 0.0)
-        for stage in sorted({e.stage for e in compared.entries})
+        _together(compared, change, stage) for stage in sorted({e.stage for e in compared.entries})
     ]
-    sizes = np.array([np.abs(part).sum() for part in parts])
+    sizes = np.array([np.abs(part[strain]).sum() for part in parts])
     kept = [p for p, s in zip(parts, sizes) if s > MATTERS * sizes.max()]
     return np.array(kept).reshape(-1, len(change)).T
+
+
+def _together(compared: Layout, change: np.ndarray, stage: int) -> np.ndarray:
+    """What one standard deviation of its level in a stage adds to a change (n,), strain and ratios of stresses together."""
+    own = compared.where(stage=stage)
+    ratio = REVERSED if (own & compared.where(kind="unload")).any() else RATIO
+    share = np.where(compared.where(channel="strain"), LEVEL, ratio)
+    return np.where(own & ~compared.where(channel="events"), share * change, 0.0)
 
 
 def looseness(
@@ -109,13 +121,15 @@ def looseness(
 
     exact: of an instrument, which knows no specimen. shape: scatter from cell to cell, as a share.
     """
-    level, shape = (EXACT, EXACT) if exact else (LEVEL, shape)
+    shape = EXACT if exact else shape
     heard = compared.where(channel="events")
     covariance = np.zeros((len(change), len(change)))
     for stage in {e.stage for e in compared.entries}:
         own = compared.where(stage=stage)
         strain = own & compared.where(channel="strain")
-        together = np.where(own & ~heard, np.where(strain | exact, level, RATIO) * change, 0.0)
+        together = _together(compared, change, stage)
+        if exact:
+            together = np.where(own & ~heard, EXACT * change, 0.0)
         covariance += np.outer(together, together)
         # A cell where little is expected may still have some of what its stage has.
         usual = np.abs(change[strain]).mean() if strain.any() else 0.0

@@ -1,7 +1,7 @@
 """The verdict: nothing left out, a mechanism named, cannot tell, or something unknown."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from grus.diagnosis.evidence import Explanation, inclusion
@@ -14,6 +14,8 @@ DECIDED = 0.5
 """Probability from which nothing, or something unknown, is the verdict."""
 WHITE = 0.001
 """Probability that the rest is white, below which something else is at work."""
+REPRODUCED = 5.0
+"""Factor between the effect in the runs and the one that the recording asks for, up to which a mechanism is reproduced."""
 POSSIBLE = 0.1
 """Probability from which a mechanism is one of those that cannot be told apart."""
 
@@ -51,3 +53,14 @@ def decide(found: Sequence[Explanation], complete: bool = True, whiteness: float
         return Decision("nothing", (), probability)
     possible = tuple(name for name in mechanisms if probability[name] >= POSSIBLE)
     return Decision("cannot_tell", possible, probability)
+
+
+def confirmed(decision: Decision, reproduced: float | None) -> Decision:
+    """A verdict that names mechanisms, after the runs with these: without any, or with another effect, it is a curve fit, which
+    cannot tell.
+
+    reproduced: effect in the runs over the one that the recording asks for; None when no run came to an end.
+    """
+    if reproduced is not None and 1 / REPRODUCED <= reproduced <= REPRODUCED:
+        return decision
+    return replace(decision, kind="cannot_tell")

@@ -50,7 +50,8 @@ def _ljung_box(white: np.ndarray, lags: int = 3) -> float:
     if n <= lags + 2:
         return 1.0
     centred = white - white.mean()
-    power = float(centred @ centred) or 1.0
+    # What is smaller than its noise has no order that could mean anything: correlations are over a variance of 1 at least.
+    power = max(float(centred @ centred), float(n))
     r = np.array([centred[k:] @ centred[: n - k] / power for k in range(1, lags + 1)])
     # As with the runs: neighbours that are alike are order, neighbours that differ are noise that was taken for less.
     r = np.maximum(r, 0.0)

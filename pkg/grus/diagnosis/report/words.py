@@ -17,8 +17,6 @@ from grus.mechanisms import MECHANISMS
 
 MOST_STAGES = 3
 """Stages that are named as those where recording and model differ."""
-FORETOLD = 0.8
-"""Error of a stage with what was left out, over that without, above which the other stages do not foretell it."""
 CLEAR = 0.05
 """Probability of a misfit by chance below which a stage is named."""
 ENOUGH = 0.8
@@ -196,12 +194,10 @@ def _largest(compared: Layout, fit: Improvement) -> tuple[float, int]:
 def _what_improves(d: Diagnosis) -> str:
     fit = d.improvement
     if fit is None:
-        if d.verdict == "named":
-            return "Not shown: no run with the mechanism came to an end."
         return "Nothing was put back into the model."
     before, after = fit.before.left_out.rmse_strain, fit.after.left_out.rmse_strain
     scale = d.calibration.stiffness
-    if len(fit.left_out) == 1 and not fit.later and after > FORETOLD * before:
+    if not fit.foretold:
         without, seen = (f.where_it_acts.rmse_strain / scale for f in (fit.before, fit.after))
         return (
             f"What was left out acts on {numbers(d, fit.left_out)} only, which no other stage can foretell. Error of strain "
@@ -213,6 +209,9 @@ def _what_improves(d: Diagnosis) -> str:
     )
     if 0 < after < before:
         told += f", {number(before / after)} times less"
+    base = [one.left_out.rmse_base for one in (fit.before, fit.after)]
+    if None not in base:
+        told += f"; of the stress at the base {base[0]:.1%} without, {base[1]:.1%} with"
     overfit = " This is overfit: what was left out gets no better." if fit.overfit else ""
     return f"{told}.{overfit}"
 
@@ -232,7 +231,7 @@ def _cannot_tell(d: Diagnosis) -> str:
         for name, p in sorted(d.decision.probability.items(), key=lambda one: -one[1])
         if p >= POSSIBLE and name not in named | {d.verdict}
     ]
-    if d.verdict == "cannot_tell" and len(d.culprits) > 1:
+    if d.verdict == "cannot_tell" and len(d.culprits) > 1 and d.improvement is None:
         told.append(f"Which of {len(d.culprits)} mechanisms acts; they change this test alike.")
     elif others:
         told.append(f"Whether there is {' or '.join(others)} as well or instead.")
