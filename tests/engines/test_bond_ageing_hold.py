@@ -140,6 +140,19 @@ def test_the_run_stops_where_it_was_told_to(loaded):
     assert ageing.clock > 0
 
 
+def test_a_stage_that_ended_before_leaves_the_limit_alone(loaded):
+    """A servo that is done must not end the steps that come after its stage."""
+    ageing = ageing_of(loaded, loop=True, **LAWS["power"])
+    ageing.servo.begin(STRESS)
+    O.run(-1, True)
+    assert ageing.servo.done
+    O.run(-O.iter % 100 or 100, True)
+    ageing.hold(DURATION["power"])
+    first = O.iter
+    O.run(100, True)
+    assert O.iter == first + 100
+
+
 def test_one_hold_after_another(loaded):
     whole = ageing_of(loaded, loop=True, **LAWS["power"])
     hold(whole, DURATION["power"])

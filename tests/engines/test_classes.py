@@ -45,7 +45,9 @@ def test_keywords_and_attributes():
         ("momentContribution", 1.5, "0 to 1"),
         ("bondRadiusRatio", 0.0, "more than 0"),
         ("bondFrictionAngle", 1.6, "0 to below pi/2"),
-        ("kn", float("nan"), "a number"),
+        ("kn", float("nan"), "a finite number"),
+        ("ks", float("inf"), "a finite number"),
+        ("bondKn", float("inf"), "0 or more"),
         ("grainModulus", -1.0, "0 or more"),
     ],
 )

@@ -7,6 +7,7 @@ from yade import O, utils
 from yade.wrapper import (
     BondMat,
     BondTimeStepper,
+    ForceEngine,
     ForceResetter,
     FrictMat,
     GrainLoop,
@@ -232,6 +233,73 @@ def test_skin_changes_nothing(skin):
     assert all(np.array_equal(bodies()[name], expected[name]) for name in expected)
 
 
+@pytest.mark.parametrize("second_first", [False, True])
+def test_pairs_count_in_either_order(second_first):
+    """Clumps and spheres stand in another order in the loop than their ids, and so do the bodies of a contact."""
+    results = []
+    for loop in (False, True):
+        O.reset()
+        material = BondMat(density=2500, kn=1e6, ks=5e5, frictionAngle=0.5)
+        O.materials.append(material)
+        places = [(0, 0, 0), (0.01, 0.004, 0), (-0.0195, 0.001, 0)]
+        if second_first:
+            places = [places[2], *places[:2]]
+        ids = [O.bodies.append(utils.sphere(p, 0.01, material=material)) for p in places]
+        O.bodies.clump(ids[1:] if second_first else ids[:2])
+        O.dt = 1e-6
+        # The contact is YADE's, whose bodies then change to the other loop.
+        O.engines = loose(False, 1)
+        O.run(10, True)
+        O.engines = loose(loop, 10)
+        O.run(100, True)
+        results.append(bodies())
+    assert np.abs(results[0]["force"]).max() > 1
+    assert_same(results[1], results[0], 1e-9)
+
+
+@pytest.mark.parametrize("blocked", ["", "XY", "xZ", "XYZ", "zXY"])
+def test_blocked_axes_of_a_clump_turn_as_in_yade(blocked):
+    results = []
+    for loop in (False, True):
+        O.reset()
+        material = BondMat(density=2500, kn=1e6, ks=5e5, frictionAngle=0.5)
+        O.materials.append(material)
+        O.bodies.append(utils.wall(-0.0099, 2, material=material))
+        spheres = ((0, 0, 0, 0.01), (0.015, 0.003, 0.004, 0.008), (-0.01, 0.005, 0.004, 0.006))
+        ids = [
+            O.bodies.append(utils.sphere((x, y, z), r, material=material)) for x, y, z, r in spheres
+        ]
+        clump = O.bodies[O.bodies.clump(ids)].state
+        clump.blockedDOFs, clump.vel, clump.angVel = blocked, (0.1, 0.2, -0.3), (3, 4, 5)
+        O.dt = 1e-6
+        O.engines = loose(loop, 100)
+        O.run(300, True)
+        results.append(bodies())
+    assert_same(results[1], results[0], 1e-9)
+
+
+def test_damping_takes_what_gravity_gives():
+    booked = []
+    for engines in ([GrainLoop(damping=0.4, gravity=(0, 0, -10))], None):
+        O.reset()
+        two_spheres(1, 0)
+        O.trackEnergy = True
+        O.engines = engines or [ForceResetter(), NewtonIntegrator(damping=0.4, gravity=(0, 0, -10))]
+        O.run(100, True)
+        booked.append((O.energy["nonviscDamp"], O.energy["gravWork"]))
+    assert booked[0] == pytest.approx(booked[1])
+    assert booked[0][0] == pytest.approx(-0.4 * booked[0][1])
+
+
+def test_stops_at_a_time():
+    two_spheres(1, 0)
+    O.engines = [GrainLoop(substeps=100)]
+    O.stopAtTime = 10.5 * O.dt
+    O.run(-1, True)
+    O.stopAtTime = 0
+    assert O.iter == 11
+
+
 def refused(match: str) -> None:
     with pytest.raises(RuntimeError, match=match):
         O.step()
@@ -255,6 +323,17 @@ def test_says_what_it_does_not_support():
     O.periodic = True
     O.engines = [GrainLoop()]
     refused("the scene is periodic")
+    two_spheres(0.03, 0)
+    O.bodies[1].bounded = False
+    O.engines = [GrainLoop()]
+    refused("body 1 is not bounded")
+    two_spheres(0.03, 0)
+    O.engines = [ForceEngine(ids=[1], force=(1, 0, 0)), GrainLoop()]
+    refused("body 1 has a force that an engine or a script put on it")
+    two_spheres(0, 0)
+    O.bodies[1].state.pos = (float("nan"), 0, 0)
+    O.engines = [GrainLoop()]
+    refused("the position of body 1 is not a number")
 
 
 @pytest.mark.parametrize(

@@ -141,3 +141,8 @@ def test_bad_targets_and_walls_are_refused():
     O.bodies[box.servo.top].state.pos = (0, -1, 0)
     with pytest.raises(RuntimeError, match="the platens have met"):
         O.step()
+    box = Box()
+    box.servo.sides = [99]
+    box.servo.begin(100e3)
+    with pytest.raises(RuntimeError, match="body 99 of sides is not a Wall"):
+        O.step()

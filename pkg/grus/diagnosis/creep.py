@@ -31,9 +31,11 @@ UNEVEN = 0.25
 RENEWED = 0.3
 """Scatter of what a hold adds under a stress that was held before, over what it would add for the first time: unloading
 and reloading find other paths for the load."""
-STEP = 0.03
-"""Share of the creep of all holds that comes in one step, by chance in one cell or in the next: delayed failures come in
-avalanches."""
+STEPS = (0.03, 0.3)
+"""Shares of the creep of all holds that come in one step, by chance in one cell or in the next: delayed failures come in
+avalanches, many in a large specimen and few in a small or brittle one."""
+SILENT = 0.1
+"""Share of all acoustic events that a hold may have more or less than goes with its strain: some bonds fail and move nothing."""
 
 
 @dataclass(frozen=True)
@@ -41,11 +43,11 @@ class Creep(Avalanche):
     """Bond ageing, with amounts of creep in all holds together, and courses with time and stress."""
 
     @property
-    def cases(self) -> list[tuple[float, float, float]]:
-        """Amount of strain in all holds, time from which it grows [s], exponent with stress."""
+    def cases(self) -> list[tuple[float, float, float, float]]:
+        """Amount of strain in all holds, time from which it grows [s], exponent with stress, share of a step."""
         amounts = self.first_loading() * np.geomspace(LEAST, MOST, AMOUNTS)
         # A grid that is thinned shows all amounts first.
-        return [(a, t, p) for a, (t, p) in product(amounts, product(TIMES, POWERS))]
+        return list(product(amounts, TIMES, POWERS, STEPS))
 
     @property
     def grid(self) -> np.ndarray:
@@ -55,7 +57,7 @@ class Creep(Avalanche):
         return self.cases[int(size)][0]
 
     def change(self, size: float) -> np.ndarray:
-        amount, time, power = self.cases[int(size)]
+        amount, time, power, _ = self.cases[int(size)]
         return self.heard(amount * course(self.compared, time, power))
 
     def acts(self) -> np.ndarray:
@@ -63,9 +65,10 @@ class Creep(Avalanche):
 
     def effect(self, size: float) -> tuple[np.ndarray, np.ndarray]:
         change = self.change(size)
-        amount, time, power = self.cases[int(size)]
+        amount, time, power, step = self.cases[int(size)]
         strain = self.compared.where(channel="strain")
-        steps = np.where(strain, STEP * amount * change, 0.0)
+        heard = self.compared.where(channel="events")
+        steps = np.where(strain, step * amount * change, 0.0) + np.where(heard, SILENT**2, 0.0)
         spread = looseness(self.compared, change, shape=UNEVEN) + np.diag(steps)
         again = RENEWED * amount * renewed(self.compared, time, power)
         for stage in {e.stage for e in self.compared.entries}:

@@ -101,7 +101,10 @@ def diagnose(
             if ran is not None:
                 named = list(ran.culprits)
                 improvement = improve(compared, made, best, suspected, ran)
-            decision = confirmed(decision, None if ran is None else ran.reproduced)
+            if ran is None:
+                decision = confirmed(decision, None)
+            else:
+                decision = confirmed(decision, ran.reproduced, ran.between is not None)
             if decision.kind == "cannot_tell":
                 telling = _unreproduced(ran)
         elif decision.kind == "cannot_tell":

@@ -78,6 +78,7 @@ class Diagnosis:
             "after": None if fit is None else fit.after.to_dict(self.calibration.stiffness),
             "overfit": fit.overfit if fit is not None and fit.foretold else None,
             "reproduced": None if fit is None else fit.put_back.reproduced,
+            "reproduced_between": None if fit is None else fit.put_back.between,
             "stages_left_out": None
             if fit is None
             else [self.protocol.segments[k].stage for k in fit.left_out],

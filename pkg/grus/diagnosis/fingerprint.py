@@ -133,7 +133,7 @@ def _smoothed(change: np.ndarray, compared: Layout) -> np.ndarray:
     for holds in groups.values():
         total = np.sum([change[own] for own in holds], axis=0)
         # Where holds or cells cancel there is no course that they share.
-        if abs(total.sum()) <= ALIKE * np.abs(total).sum():
+        if abs(total.sum()) <= ALIKE * sum(np.abs(change[own]).sum() for own in holds):
             continue
         shares = total / total.sum()
         for own in holds:

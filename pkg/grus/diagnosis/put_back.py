@@ -33,6 +33,8 @@ class PutBack:
     """change (n,): what the mechanisms changed in the runs, with the time course of delayed failure smoothed. raw (n,): as it
     was. error (n,): standard error of its mean over the specimens. reproduced: effect on strain in the runs over the one that the
     recording asks for [-], in holds where one of several acts there and its size is sought. culprits: with the values that were run. specimens: that came to an end.
+    between: the same of two runs with sizes of an Avalanche less than FARTHEST apart, one with less effect than is asked for and
+    one with more, when there are such: in a few dozen grains nothing lies between no avalanche and one.
     """
 
     change: np.ndarray
@@ -41,6 +43,7 @@ class PutBack:
     reproduced: float
     culprits: tuple[Culprit, ...]
     specimens: int
+    between: tuple[float, float] | None = None
 
 
 def put_back(
@@ -84,7 +87,22 @@ def put_back(
         if following is None:
             break
         culprits = following
-    return min(tried, key=lambda one: one[0])[1] if tried else None
+    if not tried:
+        return None
+    found = min(tried, key=lambda one: one[0])[1]
+    return replace(found, between=_between(points)) if isinstance(sought, Avalanche) else found
+
+
+def _between(points: Sequence[tuple[float, float]]) -> tuple[float, float] | None:
+    """Effects over the wanted one at the two closest sizes, of less and of more effect than is wanted."""
+    sides = [
+        (abs(np.log(less / more)), under, over)
+        for less, under in points
+        for more, over in points
+        if under < 1 <= over
+    ]
+    apart, under, over = min(sides, default=(np.inf, 0.0, 0.0))
+    return (under, over) if apart < np.log(FARTHEST) else None
 
 
 def _sought(ran: Sequence[Known]) -> Known | None:
@@ -137,7 +155,7 @@ def _smooth(
     creep = next((m for m in members if isinstance(m, Creep)), None)
     if creep is None or len(members) > 1:
         return raw
-    _, time, power = creep.cases[int(sizes[creep.name])]
+    _, time, power, _ = creep.cases[int(sizes[creep.name])]
     holds = compared.where(kind="hold", channel="strain")
     return np.where(holds, raw[holds].sum() * course(compared, time, power), raw)
 

@@ -22,6 +22,8 @@ class Scaling:
         specimen. Records of the runs have the stresses of the laboratory before an instrument reads them.
         """
         if name in INSTRUMENT:
-            length = self.height if unit.split("/")[0] == "m" else 1.0
-            return length * self.stiffness
+            what = unit.split("/")[0]
+            if what == "Pa":
+                return 1.0
+            return self.stiffness * (self.height if what == "m" else 1.0)
         return self.stress if unit == "Pa" else 1.0

@@ -21,6 +21,8 @@ BEDDING = 0.3
 """Scatter from cell to cell of first loading under little stress, as a share: how grains bed down on each other."""
 CALM = (0.15, 0.4)
 """Stresses over the highest of the test below which no bond breaks, and above which any may."""
+GIVES_WAY = 5.0
+"""Strain over the elastic one, from which a specimen gives way under little stress too: loose grains fall into place."""
 SETTLING = (0.03, 0.004)
 """Strain in the first and in the further cells of a hold, over that of the stage before: rest is never perfect."""
 RATIO = {"base": 0.01, "lateral": 0.4}
@@ -63,10 +65,13 @@ def scatter(compared: Layout, vectors: np.ndarray, elastic: np.ndarray) -> Scatt
             settling[0] = SETTLING[0] * before
             covariance[np.ix_(own, own)] += np.diag(settling**2)
             continue
-        # What the recording shows beyond elastic strain may be an avalanche as well, but not under little stress.
+        # What the recording shows beyond elastic strain may be an avalanche as well; under little stress only what is far
+        # beyond it.
         broken = np.zeros(len(mean))
         if kind in ("load", "reload", "seat"):
-            broken = np.maximum(seen.max(axis=0) - np.abs(elastic), 0) * own * breakable
+            most, calm = seen.max(axis=0), np.abs(elastic)
+            beyond = np.maximum(most - calm, 0), np.maximum(most - GIVES_WAY * calm, 0)
+            broken = (breakable * beyond[0] + (1 - breakable) * beyond[1]) * own
         level = np.hypot(LEVEL[kind] * size, BROKEN_LEVEL * broken) * own
         bedding = BEDDING * (1 - breakable) * size * (kind == "load")
         shape = (

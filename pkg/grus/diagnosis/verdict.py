@@ -55,12 +55,13 @@ def decide(found: Sequence[Explanation], complete: bool = True, whiteness: float
     return Decision("cannot_tell", possible, probability)
 
 
-def confirmed(decision: Decision, reproduced: float | None) -> Decision:
+def confirmed(decision: Decision, reproduced: float | None, between: bool = False) -> Decision:
     """A verdict that names mechanisms, after the runs with these: without any, or with another effect, it is a curve fit, which
     cannot tell.
 
-    reproduced: effect in the runs over the one that the recording asks for; None when no run came to an end.
+    reproduced: effect in the runs over the one that the recording asks for; None when no run came to an end. between: whether that
+    one lies between the effects of runs of nearly the same size.
     """
-    if reproduced is not None and 1 / REPRODUCED <= reproduced <= REPRODUCED:
+    if reproduced is not None and (between or 1 / REPRODUCED <= reproduced <= REPRODUCED):
         return decision
     return replace(decision, kind="cannot_tell")

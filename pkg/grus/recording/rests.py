@@ -23,6 +23,9 @@ SLOW = 0.4
 """Slope over that of the move before, beyond which the beginning of a stretch belongs to the move."""
 SHORTEST = 1e-12
 """Shortest time of a step, as a share of that of the test."""
+BRIEF = 0.02
+"""Time of a rest of two readings over that of the longest, below which a load that goes on the same way after it only halted: a
+specimen that gives way holds up its load."""
 MOST_POINTS = 48
 """Readings of a stretch that are looked at, evenly chosen."""
 
@@ -43,7 +46,22 @@ def rests(stress: np.ndarray, x: np.ndarray, path: StressPath) -> list[tuple[int
             gain = stretch.gain() - certain * np.log(len(stress))
             if gain > 0:
                 found.append((last, first, gain))
-    return _completed(stress, path, _best_apart(found))
+    return _lasting(stress, x, _completed(stress, path, _best_apart(found)))
+
+
+def _lasting(
+    stress: np.ndarray, x: np.ndarray, chosen: list[tuple[int, int]]
+) -> list[tuple[int, int]]:
+    """The rests that are no halts of a load."""
+    longest = max((x[last] - x[first] for first, last in chosen), default=0.0)
+
+    def halts(first: int, last: int) -> bool:
+        if last > first + 1 or first == 0 or last + 1 == len(stress):
+            return False
+        way = (stress[first] - stress[first - 1]) * (stress[last + 1] - stress[last])
+        return bool(way > 0 and x[last] - x[first] < BRIEF * longest)
+
+    return [one for one in chosen if not halts(*one)]
 
 
 def _completed(

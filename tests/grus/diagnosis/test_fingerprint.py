@@ -64,3 +64,30 @@ def test_courses_of_holds_are_drawn_to_what_they_have_in_common():
         assert one.changes[0][hold].sum() == pytest.approx(lumps[hold].sum())
         shares = one.changes[0][hold] / max(lumps[hold].sum(), 1e-12)
         assert np.count_nonzero(shares) in (0, 3)
+
+
+def test_one_specimen_that_rearranges_does_not_drown_the_others():
+    friction = MECHANISMS["wall_friction"]
+    own = BASE.where(kind="load", channel="strain")
+    effect = np.where(own, 1e-5, 0.0)
+    factors = (0.9, 0.95, 1.0, 1.05, 100.0)
+    pairs = [[(BASE.measured + f * effect, BASE.measured) for f in factors]]
+    one = fingerprint(friction, friction.parameters[0], (0.2,), pairs, BASE)
+    assert one.changes[0][own] == pytest.approx(effect[own])
+    assert (one.errors[0][own] < 0.2 * effect[own]).all()
+
+
+def test_holds_that_cancel_share_no_course():
+    own = np.flatnonzero(BASE.where(kind="hold", channel="strain"))
+    first, second = ([i for i in own if BASE.entries[i].stage == stage] for stage in (1, 3))
+    change = np.zeros(len(CREEP))
+    change[first], change[second] = 1e-5, -1e-5
+    change[second[0]] = -0.9e-5
+    one = fingerprint(
+        MECHANISMS["bond_ageing"],
+        MECHANISMS["bond_ageing"].parameters[0],
+        (1e5,),
+        [[(BASE.measured + change, BASE.measured)]],
+        BASE,
+    )
+    assert one.changes[0] == pytest.approx(change)

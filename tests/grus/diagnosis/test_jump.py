@@ -57,3 +57,10 @@ def test_a_recording_without_times_has_jumps_too():
     segments = tuple(replace(s, t0=None, t1=None) for s in record.segments)
     untimed = replace(record, channels=channels, units=units, segments=segments)
     assert largest_jump(untimed, untimed.segments).strain == pytest.approx(2e-4, rel=0.2)
+
+
+def test_a_jump_in_a_long_recording_is_found():
+    record = with_jump(made_test(noise=2e-6, rows=3000), 2e-4, 0.5)
+    found = largest_jump(record, record.segments)
+    assert found.stage == 3 and found.strain == pytest.approx(2e-4, rel=0.15)
+    assert 0.3 < found.before < found.after < 0.7

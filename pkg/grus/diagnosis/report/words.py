@@ -9,10 +9,11 @@ from grus.diagnosis.diagnosis import Diagnosis
 from grus.diagnosis.improvement import LATER, Improvement
 from grus.diagnosis.layout import Layout
 from grus.diagnosis.locate import StageMisfit
+from grus.diagnosis.put_back import PutBack
 from grus.diagnosis.report.spoken import chances, number, probability, quantity, size, strain
 from grus.diagnosis.report.stages import CHANNELS, done, numbers
 from grus.diagnosis.suspect import SPOKEN
-from grus.diagnosis.verdict import DECIDED, POSSIBLE
+from grus.diagnosis.verdict import DECIDED, POSSIBLE, REPRODUCED
 from grus.mechanisms import MECHANISMS
 
 MOST_STAGES = 3
@@ -175,10 +176,21 @@ def _how_large(d: Diagnosis) -> str:
         added = strain(most / d.calibration.stiffness)
         told.append(
             f"put back into the model it adds {added} of strain in stage {segment.stage} "
-            f"({done(segment)}); in all {100 * d.improvement.put_back.reproduced:.0f} % of the "
-            "effect that the recording asks for"
+            f"({done(segment)}); {_reproduced(d.improvement.put_back)}"
         )
     return f"{'. '.join(t[:1].upper() + t[1:] for t in told)}." if told else "No size to tell."
+
+
+def _reproduced(ran: PutBack) -> str:
+    """How much of the effect the runs show."""
+    told = f"in all {number(ran.reproduced)} times the effect that the recording asks for"
+    if ran.between is None or max(ran.reproduced, 1 / ran.reproduced) <= REPRODUCED:
+        return told
+    under, over = ran.between
+    return (
+        f"{told}. Few grains show {number(under)} times the effect, or at nearly the same size {number(over)} times: one avalanche "
+        "more"
+    )
 
 
 def _largest(compared: Layout, fit: Improvement) -> tuple[float, int]:
